@@ -256,4 +256,26 @@ std::span<const double> checked_values(int64_t n, const double *values, const ch
     return {values, static_cast<size_t>(n)};
 }
 
+std::vector<face::FacePtr> faces_in_space(int64_t count, const ::nurbs_face *const *faces,
+                                          const char *count_name, const char *name) {
+    check_length(count, count_name);
+    checked_array(count, name);
+    if (count > 0) {
+        require(faces, name);
+    }
+    std::vector<face::FacePtr> given;
+    for (int64_t i = 0; i < count; ++i) {
+        if (faces[i] == nullptr) {
+            fail(Status::null, "%s[%lld] is NULL", name, static_cast<long long>(i));
+        }
+        const int dim = faces[i]->face->surface()->dim();
+        if (dim != 3) {
+            fail(Status::dimension, "%s[%lld] has dimension %d, expected 3", name, static_cast<long long>(i),
+                 dim);
+        }
+        given.push_back(faces[i]->face);
+    }
+    return given;
+}
+
 } // namespace nrb::capi

@@ -128,4 +128,8 @@ inline bool in_a_row(int64_t width, int64_t stride, int64_t component_stride) no
 // No output overlaps another output or an input.
 void check_apart(std::initializer_list<Memory> outputs, std::initializer_list<Memory> inputs);
 
+// Faces of surfaces of dimension 3, else NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION.
+std::vector<face::FacePtr> faces_in_space(int64_t count, const ::nurbs_face *const *faces,
+                                          const char *count_name, const char *name);
+
 } // namespace nrb::capi

@@ -4,7 +4,6 @@
 #include "guard.h"
 #include "watched.h"
 
-#include "base/checked.h"
 #include "base/error.h"
 #include "base/tolerance.h"
 #include "model/from_faces.h"
@@ -15,36 +14,11 @@
 using namespace nrb;
 using namespace nrb::capi;
 
-namespace {
-
-std::vector<face::FacePtr> faces_of(int64_t count, const nurbs_face *const *faces) {
-    check_length(count, "count");
-    checked_array(count, "faces");
-    if (count > 0) {
-        require(faces, "faces");
-    }
-    std::vector<face::FacePtr> given;
-    for (int64_t i = 0; i < count; ++i) {
-        if (faces[i] == nullptr) {
-            fail(Status::null, "faces[%lld] is NULL", static_cast<long long>(i));
-        }
-        const int dim = faces[i]->face->surface()->dim();
-        if (dim != 3) {
-            fail(Status::dimension, "faces[%lld] has dimension %d, expected 3", static_cast<long long>(i),
-                 dim);
-        }
-        given.push_back(faces[i]->face);
-    }
-    return given;
-}
-
-} // namespace
-
 nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const *faces, double metres,
                                 nurbs_model **out) {
     return guard([&] {
         require_out(out);
-        const std::vector<face::FacePtr> given = faces_of(count, faces);
+        const std::vector<face::FacePtr> given = faces_in_space(count, faces, "count", "faces");
         model::check_metres(metres);
         give(model::model_of_faces(given, metres), out);
     });
@@ -55,7 +29,7 @@ nurbs_status nurbs_model_sew(int64_t count, const nurbs_face *const *faces, doub
     return guard([&] {
         require_out(out);
         check_at_least(count, 1, "count");
-        const std::vector<face::FacePtr> given = faces_of(count, faces);
+        const std::vector<face::FacePtr> given = faces_in_space(count, faces, "count", "faces");
         check_positive_tolerance(tolerance);
         if (!std::isfinite(tolerance)) {
             fail(Status::tolerance, "tolerance = %s, expected a finite value > 0", Number(tolerance).text);

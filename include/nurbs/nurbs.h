@@ -8154,6 +8154,150 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
                                          int64_t *length);
 /** @} */
 
+/** \defgroup regions Regions, and parts of faces
+ * \code
+ * nurbs *outline = NULL, *hole = NULL;
+ * nurbs_model *plate = NULL, *disk = NULL, *rest = NULL;
+ * nurbs_face *a = NULL, *b = NULL;
+ * nurbs_curve_circle(2, NULL, NULL, NULL, 2.0, NURBS_ARC_QUARTERS, &outline);
+ * nurbs_curve_circle(2, NULL, NULL, NULL, 1.0, NURBS_ARC_QUARTERS, &hole);
+ * const nurbs *curves[] = {outline, hole};
+ * nurbs_region_create(2, curves, NURBS_FILL_EVEN_ODD, 0, &plate);     // one face with a hole
+ * nurbs_region_create(1, &curves[1], NURBS_FILL_EVEN_ODD, 0, &disk);
+ * nurbs_model_face(plate, 0, NULL, NULL, NULL, NULL, &a);
+ * nurbs_model_face(disk, 0, NULL, NULL, NULL, NULL, &b);
+ * nurbs_region_combine(NURBS_REGION_UNION, 1, (const nurbs_face *const *)&a, 1, (const nurbs_face *const *)&b, 0, &rest);
+ * nurbs_face_destroy(a);
+ * nurbs_face_destroy(b);
+ * nurbs_model_destroy(plate);
+ * nurbs_model_destroy(disk);
+ * nurbs_model_destroy(rest); // one face, with outline around it
+ * nurbs_destroy(outline);
+ * nurbs_destroy(hole);
+ * \endcode
+ * Curves of a plane, or of the domain of a surface, are cut wherever they meet (nurbs_curve_intersections()). Between two
+ * nodes nothing else comes to an edge; edges that run along each other are one. How often loops go around the places
+ * beside an edge is counted along a column of the domain, exactly for the stored curves, as nurbs_face_classify() does it.
+ * What results is bounded by exact parts of the curves that were given, and by whole ones where nothing meets them.
+ *
+ * **What is near.** Places that are no farther from each other than the tolerance are one node, and curves that run along
+ * each other within it, from a knot or an end of one of them to another, are one edge, that of the first of them. Rounding
+ * leaves 2^-37 of the size of the domain, about 7e-12, in any case, and as much of the largest parameter. Farther than some of
+ * that, and of the tolerance, from the curves the result is right. Where that cannot be told the call fails with NURBS_ERROR_NOT_CONVERGED and names the place.
+ *
+ * A region is a model of faces of one surface, none for the empty region. Each face is in one piece, with one loop around it
+ * and one around each hole; loops do not come to a place twice, but may touch each other in nodes.
+ * @{ */
+
+/** \name What is inside of closed curves
+ * By how often they go around a place, counterclockwise less clockwise.
+ * @{ */
+#define NURBS_FILL_NON_ZERO 1 /**< a number other than 0 */
+#define NURBS_FILL_EVEN_ODD 2 /**< an odd number */
+#define NURBS_FILL_POSITIVE 3 /**< a number above 0 */
+/** @} */
+
+/** \name What is made of two regions
+ * @{ */
+#define NURBS_REGION_UNION 1        /**< what is in a or in b */
+#define NURBS_REGION_INTERSECTION 2 /**< what is in a and in b */
+#define NURBS_REGION_DIFFERENCE 3   /**< what is in a and not in b */
+#define NURBS_REGION_EITHER 4       /**< what is in a or in b and not in both: the symmetric difference */
+/** @} */
+
+/** \brief The region that closed curves of the plane enclose, however they cross, touch or lie in each other: outlines of
+ * fonts, paths of cutters. Its faces are of the plane z = 0 over a square around all curves, (u, v) being (x, y).
+ *
+ * Costs: n log n for n curves, those of pairs that come near each other, and of each edge a column of the plane.
+ * \param[in] count number of curves; 0: the empty region.
+ * \param[in] curves [count] curves of dimension 2 with positive weights, one after the other: each begins where the one
+ *   before it ends, or begins a loop of its own where that one came back to where its loop began.
+ * \param[in] rule one of the NURBS_FILL_ constants.
+ * \param[in] tolerance the largest distance that counts as none, >= 0.
+ * \param[out] out the new model, its unit left open.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
+ *   _RULE for another rule, _GAP naming a curve that jumps, or does not begin where the one before it ends, or a loop that
+ *   does not close, _NOT_CONVERGED where rounding would have to decide.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_region_create(int64_t count, const nurbs *const *curves, int32_t rule,
+                                           double tolerance, nurbs_model **out);
+
+/** \brief nurbs_region_create() as a call that can be watched and ended.
+ * \param[in] count,curves,rule,tolerance as for nurbs_region_create().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_region_create(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_region_create_with(int64_t count, const nurbs *const *curves, int32_t rule,
+                                                double tolerance, const nurbs_call_options *call,
+                                                nurbs_model **out);
+
+/** \brief The union, intersection or difference of two regions. The faces of each may overlap: together they are what at
+ * least one of them covers, so that the union of any number of faces is that of all of them with none. Borders that both
+ * have in common, or parts of borders, count once, with what is at their sides.
+ *
+ * Faces are of one surface that closes up along no axis, or of planes that nurbs_region_create() made, over whatever
+ * squares. Those of the result are of the same surface, or of such a plane; their edges in space are made anew, and their
+ * tolerances are as large as those that were given.
+ * \param[in] rule one of the NURBS_REGION_ constants.
+ * \param[in] count_a number of faces of a.
+ * \param[in] a [count_a] faces of surfaces of dimension 3.
+ * \param[in] count_b number of faces of b.
+ * \param[in] b [count_b] such faces.
+ * \param[in] tolerance the largest distance that counts as none, >= 0; at least that of the faces is.
+ * \param[out] out the new model, its unit left open.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another
+ *   rule, _INCOMPATIBLE naming a face of another surface, or if the surface closes up, _GAP naming a face whose loops have
+ *   larger gaps than its tolerance, _NOT_CONVERGED where rounding would have to decide.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_region_combine(int32_t rule, int64_t count_a, const nurbs_face *const *a,
+                                            int64_t count_b, const nurbs_face *const *b, double tolerance,
+                                            nurbs_model **out);
+
+/** \brief nurbs_region_combine() as a call that can be watched and ended.
+ * \param[in] rule,count_a,a,count_b,b,tolerance as for nurbs_region_combine().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_region_combine(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, const nurbs_face *const *a,
+                                                 int64_t count_b, const nurbs_face *const *b,
+                                                 double tolerance, const nurbs_call_options *call,
+                                                 nurbs_model **out);
+
+/** \brief The parts of a face that curves in the domain of its surface divide it into: what is cut with them, or along
+ * curves where it meets other shapes. With no curves these are the parts that the face consists of.
+ *
+ * Curves may cross the border and each other, run along them, and close. What of them lies outside of the face has no
+ * effect, nor has what ends inside without dividing anything, as far as it has the same part on both sides.
+ *
+ * Parts to both sides of a curve have a common edge in space with a common key, and nodes are its ends, bit for bit: the
+ * result is closed along all of its cuts without being sewn. Coedges that no curve cuts keep the edges in space and keys that
+ * they were given; edges of others are made (nurbs_face_edge()), with keys above those of the face.
+ * \param[in] face a face of a surface of dimension 3 that closes up along no axis.
+ * \param[in] count number of curves.
+ * \param[in] curves [count] curves of dimension 2 in the domain of the surface, with positive weights.
+ * \param[in] tolerance the largest distance in space that counts as none, >= 0, as far as parameters move points evenly over
+ *   the surface; at least that of the face is.
+ * \param[out] out the new model of the parts, its unit left open.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
+ *   _INCOMPATIBLE if the surface closes up, _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance
+ *   of the face, _NOT_CONVERGED where rounding would have to decide.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs *const *curves,
+                                        double tolerance, nurbs_model **out);
+
+/** \brief nurbs_face_split() as a call that can be watched and ended.
+ * \param[in] face,count,curves,tolerance as for nurbs_face_split().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_face_split(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t count,
+                                             const nurbs *const *curves, double tolerance,
+                                             const nurbs_call_options *call, nurbs_model **out);
+/** @} */
+
 /** \defgroup mesh Meshes
  * \code
  * nurbs_mesh_options options;

@@ -109,6 +109,16 @@ PlacedLoop placed(const Spline &surface, const Covering &covering, const Loop &l
     return result;
 }
 
+double largest_gap(const Spline &surface, const Covering &covering, const Loop &loop) {
+    double largest = 0;
+    for (size_t i = 0; i < loop.size(); ++i) {
+        const Point2 end = end_of(*loop[i].curve, true),
+                     start = end_of(*loop[(i + 1) % loop.size()].curve, false);
+        largest = std::max(largest, end == start ? 0 : gap_between(surface, covering, end, start));
+    }
+    return largest * (1 + 0x1p-20);
+}
+
 std::vector<Loop> natural_loops(const Covering &covering) {
     const Interval u = covering.domain(0), v = covering.domain(1);
     struct Side {

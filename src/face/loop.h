@@ -43,6 +43,9 @@ struct ClosedLoop {
 // meridian that it came on, once around.
 PlacedLoop placed(const Spline &surface, const Covering &covering, const Loop &loop, double tolerance);
 
+// The largest distance in space of ends that follow one another, rounded up.
+double largest_gap(const Spline &surface, const Covering &covering, const Loop &loop);
+
 // The boundary of the whole domain: one loop, or two around a closed axis, or none where everything is closed. Poles have no
 // curves.
 std::vector<Loop> natural_loops(const Covering &covering);

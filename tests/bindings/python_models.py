@@ -197,6 +197,23 @@ class Models(unittest.TestCase):
         with self.assertRaises(TypeError):
             nurbs.Model.sew([BUSHING], 1e-6)
 
+    def test_regions(self):
+        plate = nurbs.Model.region([nurbs.circle(2, [0, 0]), nurbs.circle(1, [0, 0])], nurbs.NURBS_FILL_EVEN_ODD)
+        disk = nurbs.Model.region([nurbs.circle(1, [2, 0])])
+        self.assertEqual((len(plate.faces), len(plate.faces[0].loops)), (1, 2))
+        self.assertAlmostEqual(plate.faces[0].area().value, 3 * math.pi, 9)
+        areas = [sum(face.area().value for face in nurbs.Model.combine(rule, plate.faces, disk.faces).faces)
+                 for rule in (nurbs.NURBS_REGION_UNION, nurbs.NURBS_REGION_INTERSECTION)]
+        self.assertAlmostEqual(sum(areas), 4 * math.pi, 9)
+        self.assertEqual(len(nurbs.Model.combine(nurbs.NURBS_REGION_DIFFERENCE, disk.faces, disk.faces).faces), 0)
+        across = nurbs.line([-3, 0.5], [3, 0.5])
+        halves = disk.faces[0].split([across])
+        self.assertEqual((len(halves.faces), sorted(halves.edge_gaps().uses.tolist())), (2, [1, 1, 1, 2]))
+        self.assertEqual(len(nurbs.Model.split(disk.faces[0], []).faces), 1)
+        self.assertEqual(status_of(lambda: nurbs.Model.region([across])), nurbs.NURBS_ERROR_GAP)
+        self.assertEqual(status_of(lambda: nurbs.Model.combine(0, disk.faces)), nurbs.NURBS_ERROR_RULE)
+        self.assertEqual(status_of(lambda: disk.faces[0].split([across], work=1)), nurbs.NURBS_ERROR_WORK)
+
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)
         self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))

@@ -10,7 +10,7 @@ import nurbs
 
 HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/nurbs/nurbs.h"
 NAMESAKES = {"clone": "copy", "clamp_ends": "clamp", "is_rational": "rational", "knot_form": "knot_forms",
-             "degree": "degrees", "count": "counts", "unwrapped_count": "unwrapped_counts"}
+             "degree": "degrees", "count": "counts", "unwrapped_count": "unwrapped_counts", "region_create": "region", "region_combine": "combine"}
 #: What is no function of its own: handles, lists and structs.
 INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_write_options_init", "nurbs_call_options_init", "nurbs_list_count",
           "nurbs_list_get",
@@ -29,8 +29,8 @@ def functions():
     found = {}
     for name, arguments in re.findall(r"NURBS_API[^;()]*?(\w+)\(([^)]*)\);", text):
         first = re.match(r"\s*const (nurbs|nurbs_statistics|nurbs_face|nurbs_model|nurbs_meet|nurbs_mesh) \*\w+(,|$)", arguments)
-        own = re.match("nurbs_(?:read_(?=model))?(statistics|face|model|meet)", name)
-        found[name] = f"nurbs_{own[1]}" if own else first[1] if first else ""
+        own = re.match("nurbs_(?:read_(?=model))?(statistics|face|model|meet|region)", name)
+        found[name] = f"nurbs_{own[1]}".replace("region", "model") if own else first[1] if first else ""
     return found
 
 

@@ -113,6 +113,7 @@ class Border:
         if entry.base == "double":
             return ctypes.c_double(UPPER.get(entry.name, 0.25) * slot.used)
         values = {"dim": spline.dim, "axes": spline.axes, "out_dim": spline.dim, "count": count, "n": count,
+                  "count_a": count, "count_b": count,
                   "size": count, "knot_count": knot_count, "break_count": 2 * spline.axes,
                   "break_total": 2 * spline.axes, "cap": cap, "degree": 2, "pieces": 4, "parts": 4, "sides": 4}
         if slot.holder and entry.name == "struct_size":

@@ -4505,6 +4505,73 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_model_layer
+        ! --- Regions, and parts of faces
+        !> The region that closed curves of the plane enclose, however they cross, touch or lie in each other:
+        !> outlines of fonts, paths of cutters.
+        function nurbs_region_create(count, curves, rule, tolerance, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: curves(*)
+            integer(c_int32_t), value :: rule
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_region_create
+        !> nurbs_region_create() as a call that can be watched and ended.
+        function nurbs_region_create_with(count, curves, rule, tolerance, call, out) bind(c) result(r)
+            import
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: curves(*)
+            integer(c_int32_t), value :: rule
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_region_create_with
+        !> The union, intersection or difference of two regions.
+        function nurbs_region_combine(rule, count_a, a, count_b, b, tolerance, out) bind(c) result(r)
+            import
+            integer(c_int32_t), value :: rule
+            integer(c_int64_t), value :: count_a, count_b
+            type(c_ptr), intent(in) :: a(*), b(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_region_combine
+        !> nurbs_region_combine() as a call that can be watched and ended.
+        function nurbs_region_combine_with(rule, count_a, a, count_b, b, tolerance, call, out) bind(c) &
+                result(r)
+            import
+            integer(c_int32_t), value :: rule
+            integer(c_int64_t), value :: count_a, count_b
+            type(c_ptr), intent(in) :: a(*), b(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_region_combine_with
+        !> The parts of a face that curves in the domain of its surface divide it into: what is cut with them,
+        !> or along curves where it meets other shapes.
+        function nurbs_face_split(face, count, curves, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: curves(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_split
+        !> nurbs_face_split() as a call that can be watched and ended.
+        function nurbs_face_split_with(face, count, curves, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face
+            integer(c_int64_t), value :: count
+            type(c_ptr), intent(in) :: curves(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_split_with
         ! --- Meshes
         !> A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
         !> they replace, both ways, is at most `chord`.

@@ -500,6 +500,18 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_SIDE_OUTSIDE = -1  ! of all solids, for certain
     integer(c_int32_t), parameter :: NURBS_SIDE_UNDECIDED = 2  ! not known
 
+    ! --- What is inside of closed curves
+    integer(c_int32_t), parameter :: NURBS_FILL_NON_ZERO = 1  ! a number other than 0
+    integer(c_int32_t), parameter :: NURBS_FILL_EVEN_ODD = 2  ! an odd number
+    integer(c_int32_t), parameter :: NURBS_FILL_POSITIVE = 3  ! a number above 0
+
+    ! --- What is made of two regions
+    integer(c_int32_t), parameter :: NURBS_REGION_UNION = 1  ! what is in a or in b
+    integer(c_int32_t), parameter :: NURBS_REGION_INTERSECTION = 2  ! what is in a and in b
+    integer(c_int32_t), parameter :: NURBS_REGION_DIFFERENCE = 3  ! what is in a and not in b
+    ! what is in a or in b and not in both: the symmetric difference
+    integer(c_int32_t), parameter :: NURBS_REGION_EITHER = 4
+
     ! --- Flags of meshes
     ! nurbs_mesh_triangles() and its kind: corners are points, not vertices.
     integer(c_int32_t), parameter :: NURBS_MESH_WELDED = int(z'01000000', c_int32_t)

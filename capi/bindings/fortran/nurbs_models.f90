@@ -6,14 +6,16 @@ module nurbs_models
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_sew, &
-        nurbs_model_counts, nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, &
-        nurbs_model_edge, nurbs_model_edge_uses, nurbs_model_edge_gaps, nurbs_model_vertex, nurbs_model_part, &
-        nurbs_model_use, nurbs_model_instances, nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, &
+        nurbs_region_create, nurbs_region_combine, nurbs_face_split, nurbs_model_counts, nurbs_model_face, &
+        nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
+        nurbs_model_edge_uses, nurbs_model_edge_gaps, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, &
+        nurbs_model_instances, nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, &
         nurbs_model_classify, nurbs_model_area, nurbs_model_volume, nurbs_model_splines, nurbs_model_spline_layers, &
         nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, nurbs_model_from_bytes, &
-        nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_sew_with, nurbs_model_rays_with, &
-        nurbs_model_ray_hits_with, nurbs_model_closest_points_with, nurbs_model_classify_with, nurbs_model_area_with, &
-        nurbs_model_volume_with, nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
+        nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_sew_with, nurbs_region_create_with, &
+        nurbs_region_combine_with, nurbs_face_split_with, nurbs_model_rays_with, nurbs_model_ray_hits_with, &
+        nurbs_model_closest_points_with, nurbs_model_classify_with, nurbs_model_area_with, nurbs_model_volume_with, &
+        nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -26,9 +28,10 @@ module nurbs_models
     !> Faces and the edges that they share, in parts; an assignment makes another handle on the same model.
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
-        procedure :: read, read_file, create, sew, counts, face, face_name, face_solid, face_layers, edge, edge_uses
-        procedure :: edge_gaps, vertex, part, get_use, instances, rays, ray_hits, closest_points, classify, get_area
-        procedure :: get_volume, splines, spline_layers, layer_count, layer, write_file, from_bytes
+        procedure :: read, read_file, create, sew, region, combine, split, counts, face, face_name, face_solid
+        procedure :: face_layers, edge, edge_uses, edge_gaps, vertex, part, get_use, instances, rays, ray_hits
+        procedure :: closest_points, classify, get_area, get_volume, splines, spline_layers, layer_count, layer
+        procedure :: write_file, from_bytes
     end type nurbs_model
 
 contains
@@ -105,6 +108,78 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine sew
+
+    !> The region that closed curves of the plane enclose, as faces without a common point inside: each curve begins
+    !> where the one before it ends, or where that one closes a loop, a loop of its own. rule is one of the NURBS_FILL_
+    !> constants.
+    subroutine region(this, curves, rule, tolerance, status, call)
+        class(nurbs_model), intent(inout) :: this
+        type(nurbs_spline), intent(in) :: curves(:)
+        integer(c_int32_t), intent(in), optional :: rule
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: count
+        type(c_ptr) :: made
+        count = size(curves, kind=c_int64_t)
+        if (present(call)) then
+            code = nurbs_region_create_with(count, handles_of(curves), given(rule, NURBS_FILL_NON_ZERO), &
+                given(tolerance, 0d0), watched(call), made)
+        else
+            code = nurbs_region_create(count, handles_of(curves), given(rule, NURBS_FILL_NON_ZERO), &
+                given(tolerance, 0d0), made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine region
+
+    !> The union, intersection or difference of two regions, each of which is what its faces cover. rule is one of the
+    !> NURBS_REGION_ constants.
+    subroutine combine(this, rule, a, b, tolerance, status, call)
+        class(nurbs_model), intent(inout) :: this
+        integer(c_int32_t), intent(in) :: rule
+        type(nurbs_face), intent(in) :: a(:), b(:)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: count_a, count_b
+        type(c_ptr) :: made
+        count_a = size(a, kind=c_int64_t)
+        count_b = size(b, kind=c_int64_t)
+        if (present(call)) then
+            code = nurbs_region_combine_with(rule, count_a, handles_of(a), count_b, handles_of(b), &
+                given(tolerance, 0d0), watched(call), made)
+        else
+            code = nurbs_region_combine(rule, count_a, handles_of(a), count_b, handles_of(b), given(tolerance, 0d0), &
+                made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine combine
+
+    !> The parts of a face that curves in the domain of its surface divide it into; they share edges.
+    subroutine split(this, face, curves, tolerance, status, call)
+        class(nurbs_model), intent(inout) :: this
+        class(nurbs_face), intent(in) :: face
+        type(nurbs_spline), intent(in) :: curves(:)
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: count
+        type(c_ptr) :: made
+        count = size(curves, kind=c_int64_t)
+        if (present(call)) then
+            code = nurbs_face_split_with(face%handle, count, handles_of(curves), given(tolerance, 0d0), watched(call), &
+                made)
+        else
+            code = nurbs_face_split(face%handle, count, handles_of(curves), given(tolerance, 0d0), made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine split
 
     !> How much it holds.
     subroutine counts(this, parts, uses, faces, edges, vertices, status)

@@ -26,6 +26,17 @@ inline constexpr std::int32_t side_on = NURBS_SIDE_ON;
 inline constexpr std::int32_t side_outside = NURBS_SIDE_OUTSIDE;
 inline constexpr std::int32_t side_undecided = NURBS_SIDE_UNDECIDED;
 
+/// What is inside of closed curves, by how often they go around it.
+inline constexpr std::int32_t fill_non_zero = NURBS_FILL_NON_ZERO;
+inline constexpr std::int32_t fill_even_odd = NURBS_FILL_EVEN_ODD;
+inline constexpr std::int32_t fill_positive = NURBS_FILL_POSITIVE;
+
+/// What is made of two regions.
+inline constexpr std::int32_t region_union = NURBS_REGION_UNION;
+inline constexpr std::int32_t region_intersection = NURBS_REGION_INTERSECTION;
+inline constexpr std::int32_t region_difference = NURBS_REGION_DIFFERENCE;
+inline constexpr std::int32_t region_either = NURBS_REGION_EITHER;
+
 /// How much a model holds.
 struct ModelCounts {
     std::int64_t parts;    ///< Number of parts.
@@ -161,6 +172,51 @@ public:
         const detail::Watch watch(call);
         return detail::made<Model>(nurbs_model_sew_with, detail::length(faces),
                                    detail::handle_list(faces).data(), tolerance, metres, watch.get());
+    }
+    /// The region that closed curves of the plane enclose, as faces without a common point inside: each curve
+    /// begins where the one before it ends, or where that one closes a loop, a loop of its own. rule is one of
+    /// the fill_ constants.
+    [[nodiscard]] static Returned<Model> region(std::span<const Spline> curves,
+                                                std::int32_t rule = fill_non_zero, double tolerance = 0) {
+        return detail::made<Model>(nurbs_region_create, detail::length(curves),
+                                   detail::handle_list(curves).data(), rule, tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Model> region(std::span<const Spline> curves, std::int32_t rule,
+                                                double tolerance, const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Model>(nurbs_region_create_with, detail::length(curves),
+                                   detail::handle_list(curves).data(), rule, tolerance, watch.get());
+    }
+    /// The union, intersection or difference of two regions, each of which is what its faces cover. rule is one
+    /// of the region_ constants.
+    [[nodiscard]] static Returned<Model> combine(std::int32_t rule, std::span<const Face> a,
+                                                 std::span<const Face> b, double tolerance = 0) {
+        return detail::made<Model>(nurbs_region_combine, rule, detail::length(a),
+                                   detail::handle_list(a).data(), detail::length(b),
+                                   detail::handle_list(b).data(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Model> combine(std::int32_t rule, std::span<const Face> a,
+                                                 std::span<const Face> b, double tolerance,
+                                                 const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Model>(nurbs_region_combine_with, rule, detail::length(a),
+                                   detail::handle_list(a).data(), detail::length(b),
+                                   detail::handle_list(b).data(), tolerance, watch.get());
+    }
+    /// The parts of a face that curves in the domain of its surface divide it into; they share edges.
+    [[nodiscard]] static Returned<Model> split(const Face &face, std::span<const Spline> curves,
+                                               double tolerance = 0) {
+        return detail::made<Model>(nurbs_face_split, face.get(), detail::length(curves),
+                                   detail::handle_list(curves).data(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Model> split(const Face &face, std::span<const Spline> curves,
+                                               double tolerance, const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Model>(nurbs_face_split_with, face.get(), detail::length(curves),
+                                   detail::handle_list(curves).data(), tolerance, watch.get());
     }
     /// How much it holds.
     [[nodiscard]] Returned<ModelCounts> counts() const {

@@ -183,7 +183,8 @@ void Crossings::check_hits() const {
 void Crossings::check_doubled() const {
     for (const LoopHit &hit : hits_.all()) {
         const LoopHit turned{hit.b,       hit.a,       hit.at_b, hit.at_a,
-                             hit.range_b, hit.range_a, hit.kind, {-hit.move[0], -hit.move[1]}};
+                             hit.range_b, hit.range_a, hit.kind, {-hit.move[0], -hit.move[1]},
+                             hit.against};
         if (is_inner_crossing(hit) &&
             ((doubled_[hit.b] && goes_through(hit)) || (doubled_[hit.a] && goes_through(turned)))) {
             fail_at(hit, Status::crossing, "crosses");

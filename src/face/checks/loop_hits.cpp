@@ -35,12 +35,12 @@ double unit_of(double period) noexcept {
     return std::exp2(-std::clamp(std::ilogb(period), -most, most));
 }
 
-// With room for what rounding does to copies.
-Box3 flat_box(const bounds::Box &box, const Point2 &move, const Point2 &scale) noexcept {
+// With room for what rounding does to copies, and for what is near.
+Box3 flat_box(const bounds::Box &box, const Point2 &move, const Point2 &scale, double near) noexcept {
     Box3 flat;
     flat.lower[2] = flat.upper[2] = 0;
     for (size_t k = 0; k < 2; ++k) {
-        constexpr double room = 0x1p-40;
+        const double room = 0x1p-40 + near;
         flat.lower[k] = (box.lower[k] + move[k]) * scale[k] - room;
         flat.upper[k] = (box.upper[k] + move[k]) * scale[k] + room;
     }
@@ -74,10 +74,11 @@ bool runs_one_way(const Spline &curve) noexcept {
 
 } // namespace
 
-LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops)
-    : covering_(covering), scale_{unit_of(covering.period(0)), unit_of(covering.period(1))} {
+LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops, double near)
+    : covering_(covering), near_(near), scale_{unit_of(covering.period(0)), unit_of(covering.period(1))} {
     add(loops);
-    constexpr int64_t for_a_point = 100000;
+    const int64_t for_a_point =
+        near_ > 0 ? 1000000 : 100000; // loops of a face are not to cross, others may at every turn
     const UsualLimit usual(usual_work(points(), for_a_point));
     const intersect::BoxTree tree(boxes_);
     const Phase phase(0.75);
@@ -123,7 +124,7 @@ void LoopHits::add(const Spline &curve, Point2 shift, LoopCurve of) {
         }
     }
     of.spline = scaled_copy(curve, scale_, {shift[0] * scale_[0], shift[1] * scale_[1]});
-    boxes_.push_back(flat_box(box, shift, scale_));
+    boxes_.push_back(flat_box(box, shift, scale_, near_));
     curves_.push_back(std::move(of));
 }
 
@@ -163,8 +164,8 @@ void LoopHits::compare(size_t a, size_t b, const Point2 &move) {
         return;
     }
     const SplinePtr second = here ? curves_[b].spline : scaled_copy(*curves_[b].spline, {1, 1}, move);
-    const intersect::PairHits found =
-        a == b && here ? intersect::curve_itself(first, 0) : intersect::curve_curve(first, *second, 0);
+    const intersect::PairHits found = a == b && here ? intersect::curve_itself(first, near_)
+                                                     : intersect::curve_curve(first, *second, near_);
     require_work();
     if (!found.complete && found.list.empty()) {
         fail(Status::not_converged, "it is undecided whether %s and %s cross", name(a).c_str(),
@@ -178,7 +179,8 @@ void LoopHits::compare(size_t a, size_t b, const Point2 &move) {
                          hit.range_a,
                          {std::min(hit.from_b, hit.to_b), std::max(hit.from_b, hit.to_b)},
                          hit.kind,
-                         {move[0] / scale_[0], move[1] / scale_[1]}});
+                         {move[0] / scale_[0], move[1] / scale_[1]},
+                         hit.to_b < hit.from_b});
     }
 }
 
@@ -187,6 +189,10 @@ Point2 LoopHits::place(size_t curve, double t) const {
     Point2 x;
     eval::curve_point(spline, intersect::in_domain(spline, t), false, x.data());
     return {x[0] / scale_[0], x[1] / scale_[1]};
+}
+
+double LoopHits::distance(const Point2 &x, const Point2 &y) const noexcept {
+    return std::hypot((x[0] - y[0]) * scale_[0], (x[1] - y[1]) * scale_[1]);
 }
 
 double LoopHits::foot(size_t curve, const Point2 &x, Interval range) const {

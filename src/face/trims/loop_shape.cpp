@@ -33,6 +33,14 @@ struct Ends {
 
 } // namespace
 
+void add_area(const TrimPieces &pieces, const TrimPiece &piece, int direction, const Point2 &origin,
+              LoopShape &shape) {
+    const double area = area_of(pieces, piece, origin);
+    shape.area += direction * area;
+    shape.noise += 8 * eps * std::abs(area) + piece.noise[0] * std::abs(piece.end[1] - piece.start[1]) +
+                   piece.noise[1] * std::abs(piece.end[0] - piece.start[0]);
+}
+
 std::vector<LoopShape> loop_shapes(const TrimPieces &plane, size_t loops, const Covering &covering) {
     std::vector<LoopShape> result(loops);
     std::vector<Ends> ends(loops);
@@ -43,11 +51,7 @@ std::vector<LoopShape> loop_shapes(const TrimPieces &plane, size_t loops, const 
             ends[loop].first = piece.start;
             begun[loop] = 1;
         }
-        const double area = area_of(plane, piece, ends[loop].first);
-        result[loop].area += area;
-        result[loop].noise += 8 * eps * std::abs(area) +
-                              piece.noise[0] * std::abs(piece.end[1] - piece.start[1]) +
-                              piece.noise[1] * std::abs(piece.end[0] - piece.start[0]);
+        add_area(plane, piece, 1, ends[loop].first, result[loop]);
         ends[loop].last = piece.end;
     }
     for (size_t loop = 0; loop < loops; ++loop) {

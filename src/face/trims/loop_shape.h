@@ -14,6 +14,11 @@ struct LoopShape {
     double noise = 0;    // of the area, by the rounding of its terms and of the pieces
 };
 
+// Adds what a piece, run over forwards (1) or backwards (-1), contributes to the area of its loop, seen from one place for all
+// of the pieces.
+void add_area(const TrimPieces &pieces, const TrimPiece &piece, int direction, const Point2 &origin,
+              LoopShape &shape);
+
 // Of all loops; those that stand still at one place have no area. Cost: linear in the number of pieces.
 std::vector<LoopShape> loop_shapes(const TrimPieces &plane, size_t loops, const Covering &covering);
 

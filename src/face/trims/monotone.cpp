@@ -73,6 +73,8 @@ private:
 class LoopPieces {
 public:
     LoopPieces(int32_t number, TrimPieces &out) noexcept : number_(number), out_(out) {}
+    LoopPieces(int32_t number, const Point2 &start, const Point2 &end, TrimPieces &out) noexcept
+        : number_(number), out_(out), begun_(true), first_(start), last_(start), goal_(end) {}
 
     void add(const PlacedCurve &placed) {
         const KnotVector &axis = placed.curve->axis(0);
@@ -81,13 +83,16 @@ public:
         for (int64_t span = axis.degree(); span < axis.count(); ++span) {
             if (axis[span] < axis[span + 1]) {
                 const refine::CurvePiece piece(*placed.curve, span);
-                add_span(placed, piece, {axis[span], axis[span + 1]}, turns.places(piece, number++));
+                const bool last = axis[span + 1] == axis.domain().upper;
+                add_span(placed, piece, {axis[span], axis[span + 1]}, turns.places(piece, number++), last);
             }
         }
         ++curve_;
     }
     std::vector<Joint> close(const Point2 &turn) {
-        if (begun_) {
+        if (goal_) {
+            join(*goal_);
+        } else if (begun_) {
             join({first_[0] + turn[0], first_[1] + turn[1]});
         }
         return std::move(joints_);
@@ -95,26 +100,29 @@ public:
 
 private:
     void add_span(const PlacedCurve &placed, const refine::CurvePiece &span, const Interval &range,
-                  const std::vector<double> &places) {
+                  const std::vector<double> &places, bool last) {
         TrimPieces whole;
         whole.add(piece_of(placed, span, range), coefficients_of(placed, span));
         const TrimPiece &piece = whole.all().front();
         step_to(piece);
+        const Point2 own_end = last && goal_ && is_one_place(*goal_, piece.end, piece) ? *goal_ : piece.end;
         for (size_t i = 0; i + 1 < places.size(); ++i) {
-            const Point2 end = places[i + 1] == 1 ? piece.end : whole.point(piece, places[i + 1]);
+            const Point2 end = places[i + 1] == 1 ? own_end : whole.point(piece, places[i + 1]);
             out_.add_part(whole, piece, {places[i], places[i + 1]}, last_, end, {0, 0});
             last_ = end;
         }
         behind_ = {curve_, range.upper};
     }
-    // What rounding alone sets apart is one place.
+    // What rounding alone sets apart.
+    static bool is_one_place(const Point2 &x, const Point2 &y, const TrimPiece &piece) noexcept {
+        return std::abs(x[0] - y[0]) <= 2 * piece.noise[0] && std::abs(x[1] - y[1]) <= 2 * piece.noise[1];
+    }
     void step_to(const TrimPiece &piece) {
         if (!begun_) {
             first_ = last_ = piece.start;
             begun_ = true;
         }
-        if (std::abs(last_[0] - piece.start[0]) > 2 * piece.noise[0] ||
-            std::abs(last_[1] - piece.start[1]) > 2 * piece.noise[1]) {
+        if (!is_one_place(last_, piece.start, piece)) {
             join(piece.start);
         }
     }
@@ -170,6 +178,7 @@ private:
     CurvePlace behind_; // what was added
     bool begun_ = false;
     Point2 first_{}, last_{};
+    std::optional<Point2> goal_; // of a curve by itself
     std::vector<Joint> joints_;
 };
 
@@ -182,6 +191,13 @@ std::vector<Joint> append_monotone(const std::vector<PlacedCurve> &loop, int32_t
         pieces.add(placed);
     }
     return pieces.close(turn);
+}
+
+void append_between(const PlacedCurve &placed, int32_t number, const Point2 &start, const Point2 &end,
+                    TrimPieces &out) {
+    LoopPieces pieces(number, start, end, out);
+    pieces.add(placed);
+    pieces.close({0, 0});
 }
 
 } // namespace nrb::face

@@ -28,4 +28,9 @@ struct Joint {
 std::vector<Joint> append_monotone(const std::vector<PlacedCurve> &loop, int32_t number, const Point2 &turn,
                                    TrimPieces &out);
 
+// The same of one curve from one place to another, with segments where it does not begin at the first of them, or end at the
+// second, to rounding.
+void append_between(const PlacedCurve &placed, int32_t number, const Point2 &start, const Point2 &end,
+                    TrimPieces &out);
+
 } // namespace nrb::face

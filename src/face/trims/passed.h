@@ -14,4 +14,7 @@ struct PassedSum {
 };
 using PassedSums = std::vector<PassedSum>; // of the loops of which something was passed
 
+// Sorted, with one entry for each loop.
+PassedSums summed(PassedSums sums);
+
 } // namespace nrb::face

@@ -160,6 +160,24 @@ int TrimPieces::side(const TrimPiece &piece, const Point2 &x) const noexcept {
     return ColumnSearch(*this, piece, x).side();
 }
 
+int TrimPieces::order(const TrimPiece &a, const TrimPiece &b) const noexcept {
+    const double left = std::max(a.lower[0], b.lower[0]), right = std::min(a.upper[0], b.upper[0]);
+    for (const double share : {0.5, 1.0, 0.0, 0.75, 0.25, 0.9375, 0.0625}) {
+        const double u = share == 1 ? right : left + share * (right - left);
+        if (!(left <= u && u <= right) || a.lower[0] == a.upper[0]) {
+            return 0;
+        }
+        const Point2 x{u, u == a.start[0] ? a.start[1]
+                          : u == a.end[0] ? a.end[1]
+                                          : point(a, place_of(a, 0, u))[1]};
+        const int found = x[1] < b.lower[1] ? 1 : x[1] > b.upper[1] ? -1 : side(b, x);
+        if (found != 0) {
+            return found;
+        }
+    }
+    return 0;
+}
+
 bool TrimPieces::meets(const TrimPiece &piece, const Point2 &lower, const Point2 &upper) const noexcept {
     const double left = std::max(lower[0], piece.lower[0]), right = std::min(upper[0], piece.upper[0]);
     const double bottom = std::max(lower[1], piece.lower[1]), top = std::min(upper[1], piece.upper[1]);

@@ -50,6 +50,9 @@ public:
     // Where the piece is in the column at x[0], relative to x: 1 above, -1 below, 0 on it to rounding. Precondition: x is in
     // the box of the piece, ends included. Cost: a few evaluations, one for lines.
     [[nodiscard]] int side(const TrimPiece &piece, const Point2 &x) const noexcept;
+    // Whether b is above a, 1, or below it, -1, in the columns that both come to; 0 where there are none, or rounding hides it.
+    // Precondition: they meet at their ends at most.
+    [[nodiscard]] int order(const TrimPiece &a, const TrimPiece &b) const noexcept;
     // Whether the piece comes into a box, to rounding: of the two corners that it would pass between, one is above it and one
     // below. Precondition: the box meets that of the piece.
     [[nodiscard]] bool meets(const TrimPiece &piece, const Point2 &lower, const Point2 &upper) const noexcept;

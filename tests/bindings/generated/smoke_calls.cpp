@@ -807,6 +807,24 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("region_create");
+        const auto found = n::Model::region(std::vector<n::Spline>{in.outline}, 1, 0.0);
+        show("out", found);
+    }
+    {
+        begin("region_combine");
+        const n::Spline moved_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25}, {}, 0u);
+        const n::Face moved_face = n::Face::create(in.surface, {1}, std::vector<n::Spline>{moved_outline}, {}, {}, 0.001, 0u);
+        const auto found = n::Model::combine(3, std::vector<n::Face>{in.face}, std::vector<n::Face>{moved_face}, 0.0);
+        show("out", found);
+    }
+    {
+        begin("face_split");
+        const n::Spline divider = n::Spline::create_bezier({1}, 2, {0.0, 1.5, 1.0, 1.75});
+        const auto found = n::Model::split(in.face, std::vector<n::Spline>{divider}, 0.0);
+        show("out", found);
+    }
+    {
         begin("model_edge_gaps");
         const auto found = in.model.edge_gaps();
         show("uses", found.uses);
@@ -1354,6 +1372,24 @@ void data(const Inputs &in) {
         const n::Spline sphere = n::sphere(at, 1.0, 0);
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
         const auto found = n::Model::sew(std::vector<n::Face>{in.face, ball_face}, 1e-06, 0.001, watched());
+        show("out", found);
+    }
+    {
+        begin("region_create_with");
+        const auto found = n::Model::region(std::vector<n::Spline>{in.outline}, 1, 0.0, watched());
+        show("out", found);
+    }
+    {
+        begin("region_combine_with");
+        const n::Spline moved_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25}, {}, 0u);
+        const n::Face moved_face = n::Face::create(in.surface, {1}, std::vector<n::Spline>{moved_outline}, {}, {}, 0.001, 0u);
+        const auto found = n::Model::combine(3, std::vector<n::Face>{in.face}, std::vector<n::Face>{moved_face}, 0.0, watched());
+        show("out", found);
+    }
+    {
+        begin("face_split_with");
+        const n::Spline divider = n::Spline::create_bezier({1}, 2, {0.0, 1.5, 1.0, 1.75});
+        const auto found = n::Model::split(in.face, std::vector<n::Spline>{divider}, 0.0, watched());
         show("out", found);
     }
     by_hand("model_write_with");

@@ -1691,6 +1691,42 @@ contains
             call found%sew(faces=faces_given, tolerance=1d-06, metres=0.001d0)
             call show('out', found)
         end block
+        call begin('region_create')
+        block
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_model) :: found
+            curves_given(1) = outline
+            call found%region(curves=curves_given, rule=1, tolerance=0.0d0)
+            call show('out', found)
+        end block
+        call begin('region_combine')
+        block
+            type(nurbs_spline) :: moved_outline
+            type(nurbs_face) :: moved_face
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_face) :: a_given(1)
+            type(nurbs_face) :: b_given(1)
+            type(nurbs_model) :: found
+            call moved_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
+                points=reshape([0.25d0, 1.25d0, 0.75d0, 1.25d0, 0.5d0, 2.25d0, 0.25d0, 1.25d0], [4, 2], order=[2, 1]), &
+                flags=0)
+            curves_given(1) = moved_outline
+            call moved_face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
+            a_given(1) = face
+            b_given(1) = moved_face
+            call found%combine(rule=3, a=a_given, b=b_given, tolerance=0.0d0)
+            call show('out', found)
+        end block
+        call begin('face_split')
+        block
+            type(nurbs_spline) :: divider
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_model) :: found
+            call divider%create_bezier(degrees=[1], points=reshape([0.0d0, 1.5d0, 1.0d0, 1.75d0], [2, 2], order=[2, 1]))
+            curves_given(1) = divider
+            call found%split(face=face, curves=curves_given, tolerance=0.0d0)
+            call show('out', found)
+        end block
         call begin('model_edge_gaps')
         block
             integer(c_int64_t), allocatable :: uses_found(:)
@@ -2519,6 +2555,45 @@ contains
             faces_given(1) = face
             faces_given(2) = ball_face
             call found%sew(faces=faces_given, tolerance=1d-06, metres=0.001d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('region_create_with')
+        block
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            curves_given(1) = outline
+            call found%region(curves=curves_given, rule=1, tolerance=0.0d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('region_combine_with')
+        block
+            type(nurbs_spline) :: moved_outline
+            type(nurbs_face) :: moved_face
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_face) :: a_given(1)
+            type(nurbs_face) :: b_given(1)
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call moved_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
+                points=reshape([0.25d0, 1.25d0, 0.75d0, 1.25d0, 0.5d0, 2.25d0, 0.25d0, 1.25d0], [4, 2], order=[2, 1]), &
+                flags=0)
+            curves_given(1) = moved_outline
+            call moved_face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
+            a_given(1) = face
+            b_given(1) = moved_face
+            call found%combine(rule=3, a=a_given, b=b_given, tolerance=0.0d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_split_with')
+        block
+            type(nurbs_spline) :: divider
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call divider%create_bezier(degrees=[1], points=reshape([0.0d0, 1.5d0, 1.0d0, 1.75d0], [2, 2], order=[2, 1]))
+            curves_given(1) = divider
+            call found%split(face=face, curves=curves_given, tolerance=0.0d0, call=watching)
             call show('out', found)
         end block
         call by_hand('model_write_with')

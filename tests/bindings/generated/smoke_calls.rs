@@ -1407,6 +1407,40 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Model::sew(&[&given.face, &ball_face], 1e-06, 0.001)?;
         show("out", &found);
     }
+    begin("region_create");
+    {
+        let found = Model::region(&[&given.outline], 1, 0.0)?;
+        show("out", &found);
+    }
+    begin("region_combine");
+    {
+        let moved_outline = Spline::create(
+            &[1],
+            &[4],
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            2,
+            &[0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25],
+            None,
+            0,
+        )?;
+        let moved_face = Face::create(
+            &given.surface,
+            &[1],
+            &[Some(&moved_outline)],
+            &[],
+            &[],
+            0.001,
+            0,
+        )?;
+        let found = Model::combine(3, &[&given.face], &[&moved_face], 0.0)?;
+        show("out", &found);
+    }
+    begin("face_split");
+    {
+        let divider = Spline::bezier(&[1], 2, &[0.0, 1.5, 1.0, 1.75], None)?;
+        let found = Model::split(&given.face, &[&divider], 0.0)?;
+        show("out", &found);
+    }
     begin("model_edge_gaps");
     {
         let found = given.model.edge_gaps()?;
@@ -2121,6 +2155,56 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &[&given.face, &ball_face],
             1e-06,
             0.001,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("region_create_with");
+    {
+        let found = Model::region_with(
+            &[&given.outline],
+            1,
+            0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("region_combine_with");
+    {
+        let moved_outline = Spline::create(
+            &[1],
+            &[4],
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            2,
+            &[0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25],
+            None,
+            0,
+        )?;
+        let moved_face = Face::create(
+            &given.surface,
+            &[1],
+            &[Some(&moved_outline)],
+            &[],
+            &[],
+            0.001,
+            0,
+        )?;
+        let found = Model::combine_with(
+            3,
+            &[&given.face],
+            &[&moved_face],
+            0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_split_with");
+    {
+        let divider = Spline::bezier(&[1], 2, &[0.0, 1.5, 1.0, 1.75], None)?;
+        let found = Model::split_with(
+            &given.face,
+            &[&divider],
+            0.0,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

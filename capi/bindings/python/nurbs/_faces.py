@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ._calls import Progress
     from ._closest import Distance, HausdorffDistance
     from ._intersections import Rays
+    from ._models import Model
 
     #: One curve that closes, or curves that follow one another; None where the other array has one.
     Loop = Union[Spline, Iterable[Optional[Spline]]]
@@ -282,6 +283,13 @@ class Face:
         to the tolerance."""
         return largest_distances(watched(lib.nurbs_face_hausdorff_distance, progress, work),
                                  (self._handle, _handle_of(other), tolerance), 2, 2)
+
+    def split(self, curves: Iterable[Spline], tolerance: float = 0.0, *, progress: Progress = None,
+              work: Optional[int] = None) -> Model:
+        """The parts that curves in the domain of the surface divide it into, as a model: they share edges. Raises
+        ArgumentError, and NumericError where rounding would have to decide what meets."""
+        from ._models import Model  # which is made of faces
+        return Model.split(self, curves, tolerance, progress=progress, work=work)
 
     def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
              work: Optional[int] = None) -> Measured:

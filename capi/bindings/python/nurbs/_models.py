@@ -14,6 +14,7 @@ import numpy
 
 from ._arrays import address, exactly, if_given, parameters, vector
 from ._bytes import given as given_bytes, pickled, written
+from ._base import handles
 from ._calls import listed, watched
 from ._faces import _SMALL, Face
 from ._files import Note, SplineList, _options
@@ -24,7 +25,7 @@ from ._mesh import Mesh
 from ._plot import plot_model
 from ._spline import Spline
 from ._write import file_bytes, to_file
-from .constants import NURBS_FORMAT_STEP
+from .constants import NURBS_FILL_NON_ZERO, NURBS_FORMAT_STEP
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -241,6 +242,32 @@ class Model:
         other become common edges. edge_gaps() tells how well they meet, and which edges are free. Raises ArgumentError."""
         given = list(faces)
         return cls._made(watched(lib.nurbs_model_sew, progress, work), len(given), _handles_of(given), tolerance, metres)
+
+    @classmethod
+    def region(cls, curves: Iterable[Spline], rule: int = NURBS_FILL_NON_ZERO, tolerance: float = 0.0, *,
+               progress: Progress = None, work: Optional[int] = None) -> Model:
+        """The region that closed curves of the plane enclose, as faces in one piece each: a curve begins where the one
+        before it ends, or where that one closes a loop, a loop of its own. rule is one of the NURBS_FILL_ constants.
+        Raises ArgumentError, and NumericError where rounding would have to decide what meets."""
+        given = handles(curves)
+        return cls._made(watched(lib.nurbs_region_create, progress, work), len(given), given, rule, tolerance)
+
+    @classmethod
+    def combine(cls, rule: int, a: Iterable[Face], b: Iterable[Face] = (), tolerance: float = 0.0, *,
+                progress: Progress = None, work: Optional[int] = None) -> Model:
+        """The union, intersection or difference of two regions, each of which is what its faces cover; rule is one of
+        the NURBS_REGION_ constants. Raises what region() does."""
+        first, second = list(a), list(b)
+        return cls._made(watched(lib.nurbs_region_combine, progress, work), rule, len(first), _handles_of(first),
+                         len(second), _handles_of(second), tolerance)
+
+    @classmethod
+    def split(cls, face: Face, curves: Iterable[Spline], tolerance: float = 0.0, *, progress: Progress = None,
+              work: Optional[int] = None) -> Model:
+        """The parts of a face that curves in the domain of its surface divide it into; they share edges. Raises what
+        region() does. The same as face.split()."""
+        given = handles(curves)
+        return cls._made(watched(lib.nurbs_face_split, progress, work), _handles_of([face])[0], len(given), given, tolerance)
 
     @classmethod
     def read(cls, contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,

@@ -341,6 +341,17 @@ NURBS_SIDE_ON = 0  # no farther from a face than the tolerance
 NURBS_SIDE_OUTSIDE = -1  # of all solids, for certain
 NURBS_SIDE_UNDECIDED = 2  # not known
 
+# --- What is inside of closed curves
+NURBS_FILL_NON_ZERO = 1  # a number other than 0
+NURBS_FILL_EVEN_ODD = 2  # an odd number
+NURBS_FILL_POSITIVE = 3  # a number above 0
+
+# --- What is made of two regions
+NURBS_REGION_UNION = 1  # what is in a or in b
+NURBS_REGION_INTERSECTION = 2  # what is in a and in b
+NURBS_REGION_DIFFERENCE = 3  # what is in a and not in b
+NURBS_REGION_EITHER = 4  # what is in a or in b and not in both: the symmetric difference
+
 # --- Flags of meshes
 NURBS_MESH_WELDED = 0x01000000  # nurbs_mesh_triangles() and its kind: corners are points, not vertices.
 

@@ -13,7 +13,7 @@ use crate::list::{
 use crate::measure::{EnclosedVolume, Measured};
 use crate::model::Model;
 use crate::moments::moments_of;
-use crate::spline::Spline;
+use crate::spline::{handles, Spline};
 use crate::sys;
 use std::path::Path;
 use std::ptr::null_mut;
@@ -223,6 +223,96 @@ impl Model {
                 faces.as_ptr(),
                 tolerance,
                 metres,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// The region that closed curves of the plane enclose, as faces without a common point inside: each curve
+    /// begins where the one before it ends, or where that one closes a loop, a loop of its own. rule is one
+    /// of the `NURBS_FILL_` constants.
+    pub fn region(curves: &[&Spline], rule: i32, tolerance: f64) -> Result<Model> {
+        let curves = handles(curves);
+        Model::made(|out| unsafe {
+            sys::nurbs_region_create(curves.len() as i64, curves.as_ptr(), rule, tolerance, out)
+        })
+    }
+
+    /// The same as `region`; it can be watched and stopped.
+    pub fn region_with(curves: &[&Spline], rule: i32, tolerance: f64, call: &mut Call) -> Result<Model> {
+        let curves = handles(curves);
+        Model::made(|out| unsafe {
+            sys::nurbs_region_create_with(
+                curves.len() as i64,
+                curves.as_ptr(),
+                rule,
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// The union, intersection or difference of two regions, each of which is what its faces cover. rule is
+    /// one of the `NURBS_REGION_` constants.
+    pub fn combine(rule: i32, a: &[&Face], b: &[&Face], tolerance: f64) -> Result<Model> {
+        let a = face_handles(a);
+        let b = face_handles(b);
+        Model::made(|out| unsafe {
+            sys::nurbs_region_combine(
+                rule,
+                a.len() as i64,
+                a.as_ptr(),
+                b.len() as i64,
+                b.as_ptr(),
+                tolerance,
+                out,
+            )
+        })
+    }
+
+    /// The same as `combine`; it can be watched and stopped.
+    pub fn combine_with(
+        rule: i32,
+        a: &[&Face],
+        b: &[&Face],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Model> {
+        let a = face_handles(a);
+        let b = face_handles(b);
+        Model::made(|out| unsafe {
+            sys::nurbs_region_combine_with(
+                rule,
+                a.len() as i64,
+                a.as_ptr(),
+                b.len() as i64,
+                b.as_ptr(),
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// The parts of a face that curves in the domain of its surface divide it into; they share edges.
+    pub fn split(face: &Face, curves: &[&Spline], tolerance: f64) -> Result<Model> {
+        let curves = handles(curves);
+        Model::made(|out| unsafe {
+            sys::nurbs_face_split(face.raw(), curves.len() as i64, curves.as_ptr(), tolerance, out)
+        })
+    }
+
+    /// The same as `split`; it can be watched and stopped.
+    pub fn split_with(face: &Face, curves: &[&Spline], tolerance: f64, call: &mut Call) -> Result<Model> {
+        let curves = handles(curves);
+        Model::made(|out| unsafe {
+            sys::nurbs_face_split_with(
+                face.raw(),
+                curves.len() as i64,
+                curves.as_ptr(),
+                tolerance,
                 call.options(),
                 out,
             )

@@ -986,6 +986,24 @@ pub const NURBS_SIDE_OUTSIDE: i32 = -1;
 /// not known
 pub const NURBS_SIDE_UNDECIDED: i32 = 2;
 
+// --- What is inside of closed curves
+/// a number other than 0
+pub const NURBS_FILL_NON_ZERO: i32 = 1;
+/// an odd number
+pub const NURBS_FILL_EVEN_ODD: i32 = 2;
+/// a number above 0
+pub const NURBS_FILL_POSITIVE: i32 = 3;
+
+// --- What is made of two regions
+/// what is in a or in b
+pub const NURBS_REGION_UNION: i32 = 1;
+/// what is in a and in b
+pub const NURBS_REGION_INTERSECTION: i32 = 2;
+/// what is in a and not in b
+pub const NURBS_REGION_DIFFERENCE: i32 = 3;
+/// what is in a or in b and not in both: the symmetric difference
+pub const NURBS_REGION_EITHER: i32 = 4;
+
 // --- Flags of meshes
 /// nurbs_mesh_triangles() and its kind: corners are points, not vertices.
 pub const NURBS_MESH_WELDED: u32 = 0x01000000;
@@ -5381,6 +5399,70 @@ extern "C" {
         buf: *mut c_char,
         cap: i64,
         length: *mut i64,
+    ) -> nurbs_status;
+    // --- Regions, and parts of faces
+    /// The region that closed curves of the plane enclose, however they cross, touch or lie in each other:
+    /// outlines of fonts, paths of cutters.
+    pub fn nurbs_region_create(
+        count: i64,
+        curves: *const *const nurbs,
+        rule: i32,
+        tolerance: f64,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// nurbs_region_create() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_region_create_with(
+        count: i64,
+        curves: *const *const nurbs,
+        rule: i32,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// The union, intersection or difference of two regions.
+    pub fn nurbs_region_combine(
+        rule: i32,
+        count_a: i64,
+        a: *const *const nurbs_face,
+        count_b: i64,
+        b: *const *const nurbs_face,
+        tolerance: f64,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// nurbs_region_combine() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_region_combine_with(
+        rule: i32,
+        count_a: i64,
+        a: *const *const nurbs_face,
+        count_b: i64,
+        b: *const *const nurbs_face,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// The parts of a face that curves in the domain of its surface divide it into: what is cut with them, or
+    /// along curves where it meets other shapes.
+    pub fn nurbs_face_split(
+        face: *const nurbs_face,
+        count: i64,
+        curves: *const *const nurbs,
+        tolerance: f64,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// nurbs_face_split() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_face_split_with(
+        face: *const nurbs_face,
+        count: i64,
+        curves: *const *const nurbs,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_model,
     ) -> nurbs_status;
     // --- Meshes
     /// A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that

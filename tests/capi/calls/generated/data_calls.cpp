@@ -815,6 +815,34 @@ const Call group[] = {
          const nurbs_face *const faces[] = {in.face, made_ball_face};
          return nurbs_model_sew(2, faces, 1e-06, 0.001, &o.model);
      }},
+    {"region_create",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const curves[] = {in.outline};
+         return nurbs_region_create(1, curves, 1, 0, &o.model);
+     }},
+    {"region_combine",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_moved_outline(in, make_moved_outline);
+         if (made_moved_outline.status() != NURBS_OK) {
+             return made_moved_outline.status();
+         }
+         Made made_moved_face(in, make_moved_face);
+         if (made_moved_face.status() != NURBS_OK) {
+             return made_moved_face.status();
+         }
+         const nurbs_face *const a[] = {in.face};
+         const nurbs_face *const b[] = {made_moved_face};
+         return nurbs_region_combine(3, 1, a, 1, b, 0, &o.model);
+     }},
+    {"face_split",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_divider(in, make_divider);
+         if (made_divider.status() != NURBS_OK) {
+             return made_divider.status();
+         }
+         const nurbs *const curves[] = {made_divider};
+         return nurbs_face_split(in.face, 1, curves, 0, &o.model);
+     }},
     {"model_edge_gaps",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_edge_gaps(in.model, 8, o.spans, o.values, o.states, o.spans + 8);
@@ -1551,6 +1579,40 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_model_sew_with(2, faces, 1e-06, 0.001, &call, &o.model);
+     }},
+    {"region_create_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         const nurbs *const curves[] = {in.outline};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_region_create_with(1, curves, 1, 0, &call, &o.model);
+     }},
+    {"region_combine_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_moved_outline(in, make_moved_outline);
+         if (made_moved_outline.status() != NURBS_OK) {
+             return made_moved_outline.status();
+         }
+         Made made_moved_face(in, make_moved_face);
+         if (made_moved_face.status() != NURBS_OK) {
+             return made_moved_face.status();
+         }
+         const nurbs_face *const a[] = {in.face};
+         const nurbs_face *const b[] = {made_moved_face};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_region_combine_with(3, 1, a, 1, b, 0, &call, &o.model);
+     }},
+    {"face_split_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_divider(in, make_divider);
+         if (made_divider.status() != NURBS_OK) {
+             return made_divider.status();
+         }
+         const nurbs *const curves[] = {made_divider};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_split_with(in.face, 1, curves, 0, &call, &o.model);
      }},
     {"model_write_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

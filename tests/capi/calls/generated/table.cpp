@@ -224,6 +224,30 @@ nurbs_status make_another_face(const Inputs &in, nurbs_face **out) {
     return nurbs_face_clone(in.face, out);
 }
 
+nurbs_status make_moved_outline(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr int64_t counts[] = {4};
+    static constexpr double knots[] = {0, 0, 1, 2, 3, 3};
+    static constexpr double points[] = {0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25};
+    return nurbs_create(1, degrees, counts, knots, 6, 2, points, 0, 0, nullptr, 0, 0, out);
+}
+
+nurbs_status make_moved_face(const Inputs &in, nurbs_face **out) {
+    Made made_moved_outline(in, make_moved_outline);
+    if (made_moved_outline.status() != NURBS_OK) {
+        return made_moved_outline.status();
+    }
+    static constexpr int64_t sizes[] = {1};
+    const nurbs *const curves[] = {made_moved_outline};
+    return nurbs_face_create(in.surface, 1, sizes, curves, nullptr, nullptr, 0.001, 0, nullptr, out);
+}
+
+nurbs_status make_divider(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr double points[] = {0, 1.5, 1, 1.75};
+    return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, out);
+}
+
 nurbs_status make_ball_face(const Inputs &in, nurbs_face **out) {
     Made made_sphere(in, make_sphere);
     if (made_sphere.status() != NURBS_OK) {

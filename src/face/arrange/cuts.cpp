@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/cuts.h"
+
+#include "base/disjoint_sets.h"
+#include "base/error.h"
+#include "base/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace nrb::face {
+
+namespace {
+
+using intersect::HitKind;
+
+// Marks of a node are no farther from it than so many times what is near.
+constexpr double widest_node = 16;
+
+} // namespace
+
+Cuts::Cuts(const LoopHits &hits, double near) : hits_(hits), near_(near) {
+    add_marks();
+    add_marks_under_overlaps();
+    marks_.assign(found_.begin(), found_.end());
+    join_marks();
+    add_edges();
+    for (const LoopHit &hit : hits_.all()) {
+        if (hit.kind == HitKind::overlap) {
+            add_pairs(hit);
+        }
+    }
+}
+
+void Cuts::add_marks() {
+    for (size_t i = 0; i < hits_.curves().size(); ++i) {
+        const Interval domain = hits_.curves()[i].spline->axis(0).domain();
+        add(i, domain.lower);
+        add(i, domain.upper);
+    }
+    for (const LoopHit &hit : hits_.all()) {
+        add_marks(hit);
+    }
+    for (const LoopHit &hit : hits_.all()) {
+        if (hit.kind == HitKind::tangent || hit.kind == HitKind::undecided) {
+            add_touch(hit);
+        }
+    }
+}
+
+// What is apart, if only by less than what is near, is no node.
+void Cuts::add_marks(const LoopHit &hit) {
+    if (hit.kind == HitKind::overlap) {
+        const Interval b = hit.against ? Interval{hit.range_b.upper, hit.range_b.lower} : hit.range_b;
+        add(hit.a, hit.range_a.lower);
+        add(hit.a, hit.range_a.upper);
+        add(hit.b, b.lower);
+        add(hit.b, b.upper);
+    } else if (hit.kind == HitKind::crossing) {
+        links_.emplace_back(add(hit.a, hit.at_a), add(hit.b, hit.at_b));
+    }
+}
+
+// Curves that touch are as near as rounding along a whole range. In it one node has to stand for all of them, so that one that is
+// there already is taken, with the foot on the other curve. What is left open in a place is one of these.
+void Cuts::add_touch(const LoopHit &hit) {
+    if (hit.kind == HitKind::undecided && !(is_small(hit.a, hit.range_a) && is_small(hit.b, hit.range_b))) {
+        fail_at(hit);
+    }
+    const Mark *on_a = mark_in(hit.a, hit.range_a, hit.at_a), *on_b = mark_in(hit.b, hit.range_b, hit.at_b);
+    const double at_a = on_a != nullptr ? on_a->at
+                        : on_b != nullptr
+                            ? hits_.foot(hit.a, moved(hits_.place(hit.b, on_b->at), hit.move), hit.range_a)
+                            : hit.at_a;
+    const double at_b = on_b != nullptr   ? on_b->at
+                        : on_a != nullptr ? hits_.foot(hit.b, beside(hit, at_a), hit.range_b)
+                                          : hit.at_b;
+    links_.emplace_back(add(hit.a, at_a), add(hit.b, at_b));
+}
+
+// An end of the curve in a range, or hardly farther from a place in it, else the nearest mark to that; null for none.
+const Cuts::Mark *Cuts::mark_in(size_t curve, Interval range, double at) const {
+    const Mark *best = nullptr;
+    const auto rank = [&](const Mark &mark) { return std::pair(!is_end(mark), std::abs(mark.at - at)); };
+    const auto look = [&](const Mark &mark) {
+        best = best == nullptr || rank(mark) < rank(*best) ? &mark : best;
+    };
+    const auto above = found_.lower_bound({curve, range.lower});
+    auto mark = above;
+    for (; mark != found_.end() && mark->curve == curve && mark->at <= range.upper; ++mark) {
+        look(*mark);
+    }
+    if (mark != found_.end() && mark->curve == curve && is_small(curve, {at, mark->at})) {
+        look(*mark);
+    }
+    if (above != found_.begin() && std::prev(above)->curve == curve &&
+        is_small(curve, {std::prev(above)->at, at})) {
+        look(*std::prev(above));
+    }
+    return best;
+}
+
+// A place that is a node of one of two curves which run along each other is one of the other, too.
+void Cuts::add_marks_under_overlaps() {
+    const std::set<Mark> all = found_;
+    const auto mark_inside = [&](size_t curve, Interval range, auto &&add_other) {
+        const auto first = all.lower_bound({curve, range.lower});
+        for (auto mark = first; mark != all.end() && mark->curve == curve && mark->at <= range.upper;
+             ++mark) {
+            add_other(mark->at);
+        }
+    };
+    for (const LoopHit &hit : hits_.all()) {
+        if (hit.kind != HitKind::overlap) {
+            continue;
+        }
+        mark_inside(hit.a, hit.range_a,
+                    [&](double t) { add(hit.b, hits_.foot(hit.b, beside(hit, t), hit.range_b)); });
+        mark_inside(hit.b, hit.range_b, [&](double t) {
+            add(hit.a, hits_.foot(hit.a, moved(hits_.place(hit.b, t), hit.move), hit.range_a));
+        });
+    }
+}
+
+Cuts::Mark Cuts::add(size_t curve, double t) {
+    return *found_.insert({curve, at_knot(curve, t)}).first;
+}
+
+// The knot, or end, that a parameter differs from by rounding alone.
+double Cuts::at_knot(size_t curve, double t) const {
+    const KnotVector &axis = hits_.curves()[curve].spline->axis(0);
+    const Interval domain = axis.domain();
+    const double at = std::clamp(t, domain.lower, domain.upper);
+    const auto knots = axis.knots();
+    const auto above = std::ranges::lower_bound(knots, at);
+    double best = at, least = 0x1p-20 * (domain.upper - domain.lower);
+    const auto look = [&](double knot) {
+        const bool inside = domain.lower <= knot && knot <= domain.upper;
+        const bool nearer = std::abs(knot - at) <= least;
+        if (inside && nearer && hits_.distance(hits_.place(curve, knot), hits_.place(curve, at)) <= near_) {
+            best = knot;
+            least = std::abs(knot - at);
+        }
+    };
+    if (above != knots.end()) {
+        look(*above);
+    }
+    if (above != knots.begin()) {
+        look(*std::prev(above));
+    }
+    return best;
+}
+
+// Whether a part of a curve goes no farther than what is near.
+bool Cuts::is_small(size_t curve, Interval range) const {
+    constexpr int samples = 8;
+    const Point2 from = hits_.place(curve, range.lower);
+    for (int i = 1; i <= samples; ++i) {
+        const double t = range.lower + (range.upper - range.lower) * i / samples;
+        if (hits_.distance(from, hits_.place(curve, t)) > widest_node * near_) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Marks that are linked, or near each other.
+void Cuts::join_marks() {
+    DisjointSets sets(marks_.size());
+    const auto number = [&](const Mark &mark) {
+        return static_cast<size_t>(std::ranges::lower_bound(marks_, mark) - marks_.begin());
+    };
+    for (const auto &[a, b] : links_) {
+        sets.join(number(a), number(b));
+    }
+    std::vector<Point2> places;
+    std::vector<intersect::Box3> boxes;
+    for (const Mark &mark : marks_) {
+        places.push_back(hits_.place(mark.curve, mark.at));
+        const Point2 scaled = hits_.scaled(places.back());
+        intersect::Box3 box;
+        box.lower = box.upper = {scaled[0], scaled[1], 0};
+        boxes.push_back(box);
+    }
+    const intersect::BoxTree tree(boxes);
+    for (size_t i = 0; i < marks_.size(); ++i) {
+        tree.walk_near({boxes[i].lower[0], boxes[i].lower[1], 0}, near_,
+                       [&](int32_t other) { sets.join(i, static_cast<size_t>(other)); });
+    }
+    std::vector<size_t> names;
+    for (size_t i = 0; i < marks_.size(); ++i) {
+        names.push_back(sets.find(i));
+    }
+    set_nodes(names);
+}
+
+bool Cuts::is_end(const Mark &mark) const noexcept {
+    const Interval domain = hits_.curves()[mark.curve].spline->axis(0).domain();
+    return mark.at == domain.lower || mark.at == domain.upper;
+}
+
+// A set is named by the first of its marks.
+void Cuts::set_nodes(std::vector<size_t> &names) {
+    constexpr size_t none = std::numeric_limits<size_t>::max();
+    std::vector<size_t> best(marks_.size(), none);
+    for (size_t i = 0; i < marks_.size(); ++i) {
+        size_t &own = best[names[i]];
+        own = own == none || (is_end(marks_[i]) && !is_end(marks_[own])) ? i : own;
+    }
+    std::vector<size_t> numbers(marks_.size(), none);
+    for (size_t i = 0; i < marks_.size(); ++i) {
+        const size_t name = names[i];
+        if (numbers[name] == none) {
+            numbers[name] = nodes_.size();
+            nodes_.push_back(hits_.place(marks_[best[name]].curve, marks_[best[name]].at));
+        }
+        node_of_.push_back(numbers[name]);
+        if (hits_.distance(nodes_[node_of_[i]], hits_.place(marks_[i].curve, marks_[i].at)) >
+            widest_node * near_) {
+            fail(Status::not_converged, "curves come undecidably near each other at (%s, %s)",
+                 Number(nodes_[node_of_[i]][0]).text, Number(nodes_[node_of_[i]][1]).text);
+        }
+    }
+}
+
+void Cuts::add_edges() {
+    for (size_t i = 0; i + 1 < marks_.size(); ++i) {
+        if (marks_[i].curve == marks_[i + 1].curve) {
+            const size_t from = node_of_[i], to = node_of_[i + 1];
+            const Interval range{marks_[i].at, marks_[i + 1].at};
+            if (from != to || !is_small(marks_[i].curve, range)) {
+                edges_.push_back({marks_[i].curve, range, from, to});
+            }
+        }
+    }
+}
+
+// Edges of a curve whose middle is in a range, as first and last + 1.
+std::pair<size_t, size_t> Cuts::edges_in(size_t curve, Interval range) const {
+    const auto middle = [](const CutEdge &edge) { return edge.range.lower / 2 + edge.range.upper / 2; };
+    const auto before = [&](const CutEdge &edge, double t) {
+        return edge.curve < curve || (edge.curve == curve && middle(edge) < t);
+    };
+    const auto first = std::lower_bound(edges_.begin(), edges_.end(), range.lower, before);
+    auto last = first;
+    while (last != edges_.end() && last->curve == curve && middle(*last) <= range.upper) {
+        ++last;
+    }
+    return {static_cast<size_t>(first - edges_.begin()), static_cast<size_t>(last - edges_.begin())};
+}
+
+void Cuts::add_pairs(const LoopHit &hit) {
+    const auto [first, last] = edges_in(hit.a, hit.range_a);
+    for (size_t i = first; i < last; ++i) {
+        add_pair(hit, i);
+    }
+}
+
+// The edge of b that lies beside an edge of a.
+void Cuts::add_pair(const LoopHit &hit, size_t edge) {
+    const CutEdge &own = edges_[edge];
+    const double middle = own.range.lower / 2 + own.range.upper / 2;
+    const double foot = hits_.foot(hit.b, beside(hit, middle), hit.range_b);
+    const auto [first, last] = edges_in(hit.b, hit.range_b);
+    for (size_t i = first; i < last; ++i) {
+        const CutEdge &other = edges_[i];
+        if (other.range.lower <= foot && foot <= other.range.upper) {
+            const bool same = own.from == (hit.against ? other.to : other.from) &&
+                              own.to == (hit.against ? other.from : other.to);
+            if (!same) {
+                fail_at(hit);
+            }
+            pairs_.push_back({edge, i, hit.against});
+            return;
+        }
+    }
+    fail_at(hit);
+}
+
+// A place of a, where b is.
+Point2 Cuts::beside(const LoopHit &hit, double t) const {
+    const Point2 x = hits_.place(hit.a, t);
+    return {x[0] - hit.move[0], x[1] - hit.move[1]};
+}
+
+void Cuts::fail_at(const LoopHit &hit) const {
+    const auto text = [&](double t) {
+        const Point2 x = hits_.place(hit.a, t);
+        return std::string("(") + Number(x[0]).text + ", " + Number(x[1]).text + ")";
+    };
+    fail(Status::not_converged, "curves come undecidably near each other between %s and %s",
+         text(hit.range_a.lower).c_str(), text(hit.range_a.upper).c_str());
+}
+
+} // namespace nrb::face

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/edge_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace nrb::face {
+
+namespace {
+
+// Places of an edge that are looked at before it counts as hidden by others.
+constexpr int most_probes = 16;
+
+class Beside {
+public:
+    Beside(const Arrangement &arrangement, size_t edge) : arrangement_(arrangement), edge_(edge) {}
+
+    [[nodiscard]] std::optional<SideValues> find() const {
+        const std::vector<const TrimPiece *> own = largest_first();
+        for (int probe = 0; probe < most_probes; ++probe) {
+            const TrimPiece &piece = *own[static_cast<size_t>(probe) % own.size()];
+            const double share = (probe + 1) * 0.381966 - std::floor((probe + 1) * 0.381966);
+            if (auto found = is_upright(piece) ? beside_upright(piece, share) : beside(piece, share)) {
+                return found;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] const PieceColumns &columns() const noexcept { return arrangement_.columns(); }
+    [[nodiscard]] double room(size_t k) const noexcept { return 4 * columns().room()[k]; }
+    [[nodiscard]] bool is_upright(const TrimPiece &piece) const noexcept {
+        return piece.upper[0] - piece.lower[0] <= room(0);
+    }
+    [[nodiscard]] std::vector<const TrimPiece *> largest_first() const {
+        std::vector<const TrimPiece *> own;
+        for (const TrimPiece &piece : arrangement_.pieces(edge_)) {
+            own.push_back(&piece);
+        }
+        const auto size = [&](const TrimPiece *piece) {
+            return arrangement_.hits().distance(piece->start, piece->end);
+        };
+        std::ranges::stable_sort(own, std::ranges::greater{}, size);
+        return own;
+    }
+    // The values at a place above which a piece does not count; none if it lies on another one.
+    [[nodiscard]] std::optional<PassedSums> values(const Point2 &x, const TrimPiece &except) const {
+        PassedSums sums;
+        const auto number = static_cast<size_t>(&except - columns().pieces().all().data());
+        const bool on = columns().walk(
+            x, number, [&](int32_t edge, int passed) { add_steps(sums, static_cast<size_t>(edge), passed); });
+        return on ? std::nullopt : std::optional(without_zeros(std::move(sums)));
+    }
+    void add_steps(PassedSums &sums, size_t edge, int times) const {
+        for (const PassedSum &step : arrangement_.edges()[edge].steps) {
+            sums.push_back({step.loop, step.value * times});
+        }
+    }
+    static PassedSums without_zeros(PassedSums sums) {
+        PassedSums result = summed(std::move(sums));
+        std::erase_if(result, [](const PassedSum &sum) { return sum.value == 0; });
+        return result;
+    }
+    // With the step of the edge, from its right to its left or back.
+    [[nodiscard]] PassedSums stepped(PassedSums from, int times) const {
+        add_steps(from, edge_, times);
+        return without_zeros(std::move(from));
+    }
+    [[nodiscard]] SideValues sides_of(const PassedSums &found, bool is_left) const {
+        return is_left ? SideValues{found, stepped(found, -1)} : SideValues{stepped(found, 1), found};
+    }
+    // What is passed from above the piece; no other one may be as near as rounding moves both.
+    [[nodiscard]] std::optional<SideValues> beside(const TrimPiece &piece, double share) const {
+        const double u = piece.lower[0] + share * (piece.upper[0] - piece.lower[0]);
+        const double v = columns().pieces().point(piece, columns().pieces().place_of(piece, 0, u))[1];
+        const Point2 x{u, std::clamp(v, piece.lower[1], piece.upper[1])};
+        const auto found = values(x, piece);
+        constexpr std::array<Point2, 4> around{{{0, -1}, {0, 1}, {-1, 0}, {1, 0}}};
+        const bool alone =
+            found && std::ranges::all_of(around, [&](const Point2 &step) {
+                return values({x[0] + step[0] * room(0), x[1] + step[1] * room(1)}, piece) == found;
+            });
+        return alone ? std::optional(sides_of(*found, piece.start[0] < piece.end[0])) : std::nullopt;
+    }
+    // To the right of the piece and to its left, which have to differ by the piece alone.
+    [[nodiscard]] std::optional<SideValues> beside_upright(const TrimPiece &piece, double share) const {
+        const double v = piece.lower[1] + share * (piece.upper[1] - piece.lower[1]);
+        const bool up = piece.start[1] < piece.end[1];
+        const auto found = values({piece.upper[0] + room(0), v}, piece),
+                   other = values({piece.lower[0] - room(0), v}, piece);
+        const bool alone = found && other && *other == stepped(*found, up ? 1 : -1);
+        return alone ? std::optional(sides_of(*found, !up)) : std::nullopt;
+    }
+
+    const Arrangement &arrangement_;
+    size_t edge_;
+};
+
+// From one edge to those that it goes on in, as long as nothing else comes to the node between them: loops run on in one
+// direction, and curves that do not count have the same at both sides.
+class EdgeChains {
+public:
+    explicit EdgeChains(const Arrangement &arrangement)
+        : arrangement_(arrangement), outs_(arrangement.nodes().size()), known_(arrangement.edges().size()) {
+        for (size_t i = 0; i < arrangement.edges().size(); ++i) {
+            for (const DirectedEdge edge : {DirectedEdge{i, false}, DirectedEdge{i, true}}) {
+                outs_[arrangement.from(edge)].push_back(edge);
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<SideValues> all() {
+        for (size_t i = 0; i < known_.size(); ++i) {
+            if (!known_[i]) {
+                known_[i] = Beside(arrangement_, i).find();
+                if (!known_[i]) {
+                    arrangement_.fail_undecided(arrangement_.nodes()[arrangement_.edges()[i].from]);
+                }
+                go_on({i, false});
+                go_on({i, true});
+            }
+        }
+        std::vector<SideValues> result;
+        for (std::optional<SideValues> &values : known_) {
+            result.push_back(*std::move(values));
+        }
+        return result;
+    }
+
+private:
+    void go_on(DirectedEdge edge) {
+        for (;;) {
+            const std::vector<DirectedEdge> &outs = outs_[arrangement_.to(edge)];
+            if (outs.size() != 2) {
+                return;
+            }
+            const DirectedEdge next = outs[outs[0] == DirectedEdge{edge.edge, !edge.back} ? 1 : 0];
+            if (known_[next.edge]) {
+                return;
+            }
+            known_[next.edge] = known_[edge.edge];
+            edge = next;
+        }
+    }
+
+    const Arrangement &arrangement_;
+    std::vector<std::vector<DirectedEdge>> outs_; // of each node
+    std::vector<std::optional<SideValues>> known_;
+};
+
+} // namespace
+
+std::vector<SideValues> values_beside(const Arrangement &arrangement) {
+    return EdgeChains(arrangement).all();
+}
+
+} // namespace nrb::face

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/node_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+// A piece as an edge runs over it.
+struct Lead {
+    DirectedEdge edge;
+    const TrimPiece *piece;
+    int sector; // of eight: even ones are the directions of the axes
+};
+
+int sign(double x) noexcept {
+    return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+// From 0, the direction of axis 0, counterclockwise. What rounding sets off an axis is on it.
+int sector_of(const Point2 &step, const Point2 &room) noexcept {
+    constexpr std::array<std::array<int, 3>, 3> sectors{{{5, 4, 3}, {6, 0, 2}, {7, 0, 1}}};
+    const bool upright = std::abs(step[0]) <= room[0] && std::abs(step[1]) > room[1],
+               level = std::abs(step[1]) <= room[1] && std::abs(step[0]) > room[0];
+    const int u = upright ? 0 : sign(step[0]), v = level ? 0 : sign(step[1]);
+    return sectors[static_cast<size_t>(u + 1)][static_cast<size_t>(v + 1)];
+}
+
+class Leads {
+public:
+    explicit Leads(const Arrangement &arrangement) : arrangement_(arrangement) {
+        for (size_t k = 0; k < 2; ++k) {
+            room_[k] = 4 * arrangement.columns().room()[k];
+        }
+    }
+
+    // The first piece that leads farther from the node than rounding moves it.
+    [[nodiscard]] Lead lead(DirectedEdge edge) const {
+        const auto pieces = arrangement_.pieces(edge.edge);
+        const Point2 &node = arrangement_.nodes()[arrangement_.from(edge)];
+        constexpr double far_enough = 4;
+        Lead best{edge, nullptr, 0};
+        double farthest = -1;
+        for (size_t i = 0; i < pieces.size(); ++i) {
+            const TrimPiece &piece = pieces[edge.back ? pieces.size() - 1 - i : i];
+            const Point2 near = edge.back ? piece.end : piece.start,
+                         far = edge.back ? piece.start : piece.end;
+            const double away = arrangement_.hits().distance(node, far);
+            if (away > farthest) {
+                best = {edge, &piece, sector_of({far[0] - near[0], far[1] - near[1]}, room_)};
+                farthest = away;
+            }
+            if (away > far_enough * arrangement_.near()) {
+                break;
+            }
+        }
+        return best;
+    }
+
+private:
+    const Arrangement &arrangement_;
+    Point2 room_{};
+};
+
+} // namespace
+
+void sort_around_node(const Arrangement &arrangement, std::vector<DirectedEdge> &edges) {
+    const Leads leads(arrangement);
+    std::vector<Lead> sorted;
+    bool undecided = false;
+    // Pairs are compared once each, so that an order that rounding makes does no harm.
+    const auto before = [&](const Lead &a, const Lead &b) {
+        if (a.sector != b.sector) {
+            return a.sector < b.sector;
+        }
+        const int above = a.sector % 2 == 0 ? 0 : arrangement.columns().pieces().order(*a.piece, *b.piece);
+        undecided = undecided || above == 0;
+        return (a.sector == 1 || a.sector == 7) == (above > 0) && above != 0;
+    };
+    for (const DirectedEdge edge : edges) {
+        const Lead own = leads.lead(edge);
+        auto at = sorted.begin();
+        while (at != sorted.end() && before(*at, own)) {
+            ++at;
+        }
+        sorted.insert(at, own);
+    }
+    if (undecided) {
+        arrangement.fail_undecided(arrangement.nodes()[arrangement.from(edges.front())]);
+    }
+    std::ranges::transform(sorted, edges.begin(), [](const Lead &lead) { return lead.edge; });
+}
+
+} // namespace nrb::face

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/regions.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "bounds/box.h"
+#include "eval/curve_point.h"
+#include "face/arrange/edge_sides.h"
+#include "face/arrange/parts.h"
+#include "face/arrange/plane_map.h"
+#include "spline/kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace nrb::face {
+
+namespace {
+
+using Inside = std::function<bool(const PassedSums &)>;
+
+// The plane z = 0 over a square, with the coordinates as parameters.
+SplinePtr plane_over(const Interval &x, const Interval &y) {
+    std::vector<double> points;
+    for (const double u : {x.lower, x.upper}) {
+        for (const double v : {y.lower, y.upper}) {
+            points.insert(points.end(), {u, v, 0});
+        }
+    }
+    const auto axis = [](const Interval &range) {
+        return std::make_shared<const KnotVector>(
+            1, std::vector<double>{range.lower, range.lower, range.upper, range.upper});
+    };
+    return make_result({axis(x), axis(y)}, 3, Form::polynomial, std::move(points));
+}
+
+// A square, so that distances count alike along both axes, around a box, with some room. Null for a box that is one point.
+SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
+    const double size = std::max(upper[0] - lower[0], upper[1] - lower[1]);
+    if (!(size > 0)) {
+        return nullptr;
+    }
+    std::array<Interval, 2> sides;
+    for (size_t k = 0; k < 2; ++k) {
+        const double beyond = (size - (upper[k] - lower[k])) / 2 + size / 32;
+        sides[k] = {lower[k] - beyond, upper[k] + beyond};
+    }
+    return plane_over(sides[0], sides[1]);
+}
+
+bool is_region_plane(const Spline &surface) {
+    if (surface.dim() != 3 || surface.rational() || surface.count(0) != 2 || surface.count(1) != 2) {
+        return false;
+    }
+    const Interval x = surface.axis(0).domain(), y = surface.axis(1).domain();
+    const auto expected = plane_over(x, y);
+    return std::ranges::equal(surface.points(), expected->points());
+}
+
+bool are_equal(const Spline &a, const Spline &b) {
+    const auto equal_axes = [&](int k) {
+        return a.axis(k).degree() == b.axis(k).degree() &&
+               std::ranges::equal(a.axis(k).knots(), b.axis(k).knots());
+    };
+    return a.dim() == b.dim() && a.form() == b.form() && equal_axes(0) && equal_axes(1) &&
+           std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights());
+}
+
+// The region of the places that are inside by the values of owners.
+class RegionMaker {
+public:
+    RegionMaker(SplinePtr surface, double tolerance)
+        : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance),
+          map_(plane_map(*surface_)) {}
+
+    [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
+    [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
+    void add(const Loop &loop, int32_t owner) {
+        loops_.push_back({placed(*surface_, covering_, loop, tolerance_), owner});
+    }
+    [[nodiscard]] std::vector<FacePtr> make(const Inside &inside) const {
+        std::vector<FacePtr> faces;
+        if (loops_.empty()) {
+            return faces;
+        }
+        const Arrangement arrangement(covering_, loops_, tolerance_);
+        for (const PartLoops &part : PartsWithin(arrangement, border_of(arrangement, inside)).list()) {
+            faces.push_back(face_of(arrangement, part));
+        }
+        return faces;
+    }
+
+private:
+    // What is inside to its left only.
+    static std::vector<DirectedEdge> border_of(const Arrangement &arrangement, const Inside &inside) {
+        std::vector<DirectedEdge> border;
+        const std::vector<SideValues> sides = values_beside(arrangement);
+        for (size_t i = 0; i < sides.size(); ++i) {
+            const bool in_left = inside(sides[i].left);
+            if (in_left != inside(sides[i].right)) {
+                border.push_back({i, !in_left});
+            }
+        }
+        return border;
+    }
+    [[nodiscard]] FacePtr face_of(const Arrangement &arrangement, const PartLoops &part) const {
+        FaceParts parts{surface_, {}, tolerance_, true};
+        for (const EdgeLoop &loop : part) {
+            Loop &own = parts.loops.emplace_back();
+            for (const Run &run : runs_of(arrangement, loop, RunRule::longest)) {
+                own.push_back({curve_of(arrangement, run), nullptr});
+                own.back().edge = map_ ? map_->image(*own.back().curve) : nullptr;
+            }
+            parts.tolerance = std::max(parts.tolerance, largest_gap(*surface_, covering_, own));
+        }
+        return std::make_shared<const Face>(std::move(parts), nullptr);
+    }
+    SplinePtr surface_;
+    double tolerance_;
+    Covering covering_;
+    std::optional<PlaneMap> map_;
+    std::vector<ArrangedLoop> loops_;
+};
+
+int value_of(const PassedSums &values) noexcept {
+    return values.empty() ? 0 : values.front().value;
+}
+
+Inside inside_by(FillRule rule) {
+    switch (rule) {
+    case FillRule::even_odd:
+        return [](const PassedSums &values) { return value_of(values) % 2 != 0; };
+    case FillRule::positive:
+        return [](const PassedSums &values) { return value_of(values) > 0; };
+    default:
+        return [](const PassedSums &values) { return value_of(values) != 0; };
+    }
+}
+
+// Values of a have the owner 0, those of b the owner 1. Faces in one of them are inside of it as often as they cover a place.
+Inside inside_by(RegionRule rule) {
+    const auto holds = [](const PassedSums &values, int32_t owner) {
+        return std::ranges::find(values, owner, &PassedSum::loop) != values.end();
+    };
+    switch (rule) {
+    case RegionRule::both:
+        return [=](const PassedSums &values) { return holds(values, 0) && holds(values, 1); };
+    case RegionRule::difference:
+        return [=](const PassedSums &values) { return holds(values, 0) && !holds(values, 1); };
+    case RegionRule::one:
+        return [=](const PassedSums &values) { return holds(values, 0) != holds(values, 1); };
+    default:
+        return [=](const PassedSums &values) { return holds(values, 0) || holds(values, 1); };
+    }
+}
+
+SplinePtr plane_of(std::span<const SplinePtr> curves) {
+    Point2 lower{infinity, infinity}, upper{-infinity, -infinity};
+    for (const SplinePtr &curve : curves) {
+        const bounds::Box box = bounds::bounding_box(*curve, whole_domain(*curve), 0x1p-20);
+        for (size_t k = 0; k < 2; ++k) {
+            lower[k] = std::min(lower[k], box.lower[k]);
+            upper[k] = std::max(upper[k], box.upper[k]);
+        }
+    }
+    return plane_around(lower, upper);
+}
+
+// Curves as loops that they make one after the other: one ends where it comes back to its start.
+class Chains {
+public:
+    Chains(std::span<const SplinePtr> curves, double near) : curves_(curves), near_(near) {}
+
+    [[nodiscard]] std::vector<Loop> loops() {
+        std::vector<Loop> loops;
+        size_t first = 0;
+        for (size_t i = 0; i < curves_.size(); ++i) {
+            if (first == i) {
+                loops.emplace_back();
+            } else if (gap(i - 1, i) > near_) {
+                fail(Status::gap, "curves[%zu] begins %s from where curves[%zu] ends", i,
+                     Number(gap(i - 1, i)).text, i - 1);
+            }
+            loops.back().push_back({curves_[i], nullptr});
+            first = gap(i, first) <= near_ ? i + 1 : first;
+        }
+        if (first < curves_.size()) {
+            fail(Status::gap,
+                 "the last of the curves ends %s from where its loop begins, that of curves[%zu]",
+                 Number(gap(curves_.size() - 1, first)).text, first);
+        }
+        return loops;
+    }
+
+private:
+    // From the end of a curve to the start of another one.
+    [[nodiscard]] double gap(size_t a, size_t b) const {
+        Point2 end, start;
+        eval::end_point(*curves_[a], true, end.data());
+        eval::end_point(*curves_[b], false, start.data());
+        return std::hypot(end[0] - start[0], end[1] - start[1]);
+    }
+
+    std::span<const SplinePtr> curves_;
+    double near_;
+};
+
+// That of all faces, or a plane over all of theirs.
+class CommonSurface {
+public:
+    void add(const Face &face, const char *name, size_t number) {
+        const SplinePtr &own = face.surface();
+        if (surface_ == nullptr) {
+            surface_ = own;
+        } else if (surface_ != own && !are_equal(*surface_, *own)) {
+            if (!is_region_plane(*surface_) || !is_region_plane(*own)) {
+                fail(Status::incompatible, "%s[%zu] is of another surface than those before it", name,
+                     number);
+            }
+            Point2 lower, upper;
+            for (const int k : {0, 1}) {
+                const Interval a = surface_->axis(k).domain(), b = own->axis(k).domain();
+                lower[static_cast<size_t>(k)] = std::min(a.lower, b.lower);
+                upper[static_cast<size_t>(k)] = std::max(a.upper, b.upper);
+            }
+            surface_ = plane_around(lower, upper);
+        }
+        if (face.has_gaps()) {
+            fail(Status::gap, "%s[%zu] has gaps larger than its tolerance", name, number);
+        }
+        tolerance_ = std::max(tolerance_, face.tolerance());
+    }
+
+    [[nodiscard]] const SplinePtr &get() const noexcept { return surface_; }
+    [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
+
+private:
+    SplinePtr surface_;
+    double tolerance_ = 0;
+};
+
+} // namespace
+
+std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule, double tolerance) {
+    constexpr double rounding = 0x1p-44; // of the size of all: ends so near are one
+    check_border_curves(curves);
+    const SplinePtr plane = curves.empty() ? nullptr : plane_of(curves);
+    if (plane == nullptr) {
+        return {};
+    }
+    RegionMaker maker(plane, tolerance);
+    for (const Loop &loop : Chains(curves, tolerance + rounding * maker.extent()).loops()) {
+        maker.add(loop, 0);
+    }
+    return maker.make(inside_by(rule));
+}
+
+std::vector<FacePtr> combined(std::span<const FacePtr> a, std::span<const FacePtr> b, RegionRule rule,
+                              double tolerance) {
+    CommonSurface common;
+    const auto for_each = [&](auto &&visit) {
+        for (size_t i = 0; i < a.size(); ++i) {
+            visit(*a[i], "a", i, 0);
+        }
+        for (size_t i = 0; i < b.size(); ++i) {
+            visit(*b[i], "b", i, 1);
+        }
+    };
+    for_each([&](const Face &face, const char *name, size_t i, int32_t) { common.add(face, name, i); });
+    if (common.get() == nullptr) {
+        return {};
+    }
+    RegionMaker maker(common.get(), std::max(tolerance, common.tolerance()));
+    check_open(maker.covering());
+    for_each([&](const Face &face, const char *, size_t, int32_t owner) {
+        for (const Loop &loop : face.loops()) {
+            maker.add(loop, owner);
+        }
+    });
+    return maker.make(inside_by(rule));
+}
+
+} // namespace nrb::face

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/split.h"
+
+#include "base/error.h"
+#include "face/arrange/edge_sides.h"
+#include "face/arrange/parts.h"
+#include "face/arrange/plane_map.h"
+#include "face/made/curve_under.h"
+#include "refine/forms/parametrization.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace nrb::face {
+
+namespace {
+
+constexpr int32_t of_face = 0, of_curves = -1;
+
+// The edges that bound parts, each with a part to its left: those inside of the face that curves run along, both ways.
+std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement) {
+    std::vector<DirectedEdge> result;
+    const std::vector<SideValues> sides = values_beside(arrangement);
+    for (size_t i = 0; i < sides.size(); ++i) {
+        const auto is_inside = [](const PassedSums &sums) { return !sums.empty() && sums.front().value > 0; };
+        if (is_inside(sides[i].left)) {
+            result.push_back({i, false});
+        }
+        if (is_inside(sides[i].right)) {
+            result.push_back({i, true});
+        }
+    }
+    return result;
+}
+
+// Without those that have one part on both sides.
+std::vector<DirectedEdge> between_parts(const Arrangement &arrangement, std::vector<DirectedEdge> edges) {
+    const PartsWithin parts(arrangement, edges);
+    const std::vector<DirectedEdge> all = edges; // sorted
+    std::erase_if(edges, [&](DirectedEdge edge) {
+        const DirectedEdge other{edge.edge, !edge.back};
+        return std::ranges::binary_search(all, other) &&
+               parts.part_left_of(edge) == parts.part_left_of(other);
+    });
+    return edges;
+}
+
+// Nodes at which more than two ways go on.
+std::vector<bool> forks(const Arrangement &arrangement, const std::vector<DirectedEdge> &edges) {
+    std::vector<std::vector<size_t>> at(arrangement.nodes().size());
+    for (const DirectedEdge edge : edges) {
+        at[arrangement.from(edge)].push_back(edge.edge);
+        at[arrangement.to(edge)].push_back(edge.edge);
+    }
+    std::vector<bool> result;
+    for (std::vector<size_t> &own : at) {
+        std::ranges::sort(own);
+        result.push_back(std::unique(own.begin(), own.end()) - own.begin() > 2);
+    }
+    return result;
+}
+
+// Coedges of the parts; those of one run to both sides have one edge.
+class Coedges {
+public:
+    Coedges(const Face &face, const Covering &covering, const Arrangement &arrangement, double tolerance)
+        : face_(face), covering_(covering), arrangement_(arrangement), tolerance_(tolerance),
+          map_(plane_map(*face.surface())) {
+        for (const Loop &loop : face.loops()) {
+            for (const Coedge &coedge : loop) {
+                last_key_ = std::max(last_key_, coedge.key);
+            }
+        }
+    }
+
+    [[nodiscard]] Coedge of(const Run &run) {
+        Coedge coedge{curve_of(arrangement_, run), nullptr};
+        const Coedge *given = source(run);
+        const bool keeps = given != nullptr && is_whole(arrangement_, run) && given->edge != nullptr;
+        if (keeps) {
+            coedge.edge = given->edge;
+            coedge.key = given->key;
+            coedge.against = given->against != run.back;
+            coedge.deviation = run.back ? std::nullopt : given->deviation;
+            return coedge;
+        }
+        const Made &made = made_for(run, coedge, given);
+        coedge.edge = made.edge;
+        coedge.key = made.key;
+        coedge.against = run.back;
+        return coedge;
+    }
+
+private:
+    struct Made {
+        SplinePtr edge; // along the curve
+        int64_t key;
+    };
+
+    // The coedge that a run is of; null for those of the curves that divide.
+    [[nodiscard]] const Coedge *source(const Run &run) const {
+        const Arrangement::Origin &own = arrangement_.origin(arrangement_.cuts().edges()[run.first]);
+        return own.loop < face_.loops().size() ? &face_.loops()[own.loop][own.index] : nullptr;
+    }
+    const Made &made_for(const Run &run, const Coedge &coedge, const Coedge *given) {
+        const std::pair name{std::min(run.first, run.last), std::max(run.first, run.last)};
+        const auto found = made_.find(name);
+        if (found != made_.end()) {
+            return found->second;
+        }
+        const SplinePtr along = run.back ? refine::reverse(*coedge.curve, 0, false) : coedge.curve;
+        const bool whole = given != nullptr && is_whole(arrangement_, run) && given->key != 0;
+        const int64_t key = whole ? given->key : ++last_key_;
+        const SplinePtr edge =
+            map_ ? map_->image(*along) : edge_over(face_.surface(), covering_, along, tolerance_).curve;
+        const auto &cuts = arrangement_.cuts().edges();
+        const size_t from = cuts[name.first].from, to = cuts[name.second].to;
+        return made_.emplace(name, Made{snapped(snapped(edge, false, from), true, to), key}).first->second;
+    }
+    // Edges that come to a node end in one point, bit for bit.
+    [[nodiscard]] SplinePtr snapped(const SplinePtr &edge, bool upper, size_t node) {
+        constexpr double rounding = 0x1p-40; // of the size of the surface
+        auto [known, fresh] = points_.try_emplace(node);
+        if (fresh) {
+            known->second = point_at(*face_.surface(), covering_.in_domain(arrangement_.nodes()[node]));
+        }
+        return with_end(edge, upper, known->second, rounding * covering_.extent());
+    }
+
+    const Face &face_;
+    const Covering &covering_;
+    const Arrangement &arrangement_;
+    double tolerance_;
+    std::optional<PlaneMap> map_;
+    int64_t last_key_ = 0;
+    std::map<std::pair<size_t, size_t>, Made> made_;
+    std::map<size_t, std::vector<double>> points_; // of nodes
+};
+
+} // namespace
+
+std::vector<FacePtr> split(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
+    const double near = std::max(tolerance, face.tolerance());
+    const Covering covering(*face.surface(), near);
+    check_open(covering);
+    if (face.has_gaps()) {
+        fail(Status::gap, "the face has gaps larger than its tolerance");
+    }
+    check_border_curves(curves);
+    std::vector<ArrangedLoop> loops;
+    for (const Loop &loop : face.loops()) {
+        loops.push_back({placed(*face.surface(), covering, loop, near), of_face});
+    }
+    for (const SplinePtr &curve : curves) {
+        loops.push_back({{{{curve, {0, 0}}}, {0, 0}}, of_curves});
+    }
+    const Arrangement arrangement(covering, loops, near);
+    const std::vector<DirectedEdge> border = between_parts(arrangement, dividing_edges(arrangement));
+    const std::vector<bool> ends = forks(arrangement, border);
+    Coedges coedges(face, covering, arrangement, near);
+    std::vector<FacePtr> faces;
+    for (const PartLoops &part : PartsWithin(arrangement, border).list()) {
+        FaceParts parts{face.surface(), {}, near, true};
+        for (const EdgeLoop &loop : part) {
+            Loop &own = parts.loops.emplace_back();
+            for (const Run &run : runs_of(arrangement, loop, RunRule::shared, ends)) {
+                own.push_back(coedges.of(run));
+            }
+            parts.tolerance = std::max(parts.tolerance, largest_gap(*face.surface(), covering, own));
+        }
+        faces.push_back(std::make_shared<const Face>(std::move(parts), nullptr));
+    }
+    return faces;
+}
+
+} // namespace nrb::face

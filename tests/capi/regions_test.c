@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT */
+/* Regions of the plane, and faces that curves divide: how many faces, edges and vertices, what is inside, what is refused. */
+#include "models.h"
+
+static const double pi_ = 3.14159265358979323846;
+
+static nurbs *rectangle(double left, double low, double right, double high) {
+    const double places[] = {left, low, right, low, right, high, left, high, left, low};
+    return polyline(5, places);
+}
+
+static nurbs_model *region(int64_t count, nurbs **curves, int32_t rule) {
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_region_create(count, (const nurbs *const *)curves, rule, 0, &model));
+    for (int64_t i = 0; i < count; ++i) {
+        nurbs_destroy(curves[i]);
+    }
+    return model;
+}
+
+static nurbs_face *face_at(const nurbs_model *model, int64_t index) {
+    nurbs_face *face = NULL;
+    CHECK_OK(nurbs_model_face(model, index, NULL, NULL, NULL, NULL, &face));
+    return face;
+}
+
+/* The only face of the region of one curve. */
+static nurbs_face *face_inside(nurbs *curve) {
+    nurbs_model *model = region(1, &curve, NURBS_FILL_NON_ZERO);
+    nurbs_face *face = face_at(model, 0);
+    nurbs_model_destroy(model);
+    return face;
+}
+
+/* Destroys the model. */
+static void check_model(nurbs_model *model, int64_t faces, int64_t edges, int64_t vertices, double area) {
+    int64_t n[3] = {-1, -1, -1};
+    double sum = 0;
+    CHECK_OK(nurbs_model_counts(model, NULL, NULL, &n[0], &n[1], &n[2]));
+    CHECK_INT(n[0], faces);
+    CHECK_INT(n[1], edges);
+    CHECK_INT(n[2], vertices);
+    for (int64_t i = 0; i < n[0]; ++i) {
+        nurbs_face *face = face_at(model, i);
+        double own = 0;
+        CHECK_OK(nurbs_face_area(face, 1e-12, &own, NULL));
+        sum += own;
+        nurbs_face_destroy(face);
+    }
+    CHECK_NEAR(&sum, &area, 1, 1e-10);
+    nurbs_model_destroy(model);
+}
+
+static nurbs_model *combined(int32_t rule, const nurbs_face *a, const nurbs_face *b) {
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_region_combine(rule, 1, &a, b == NULL ? 0 : 1, &b, 0, &model));
+    return model;
+}
+
+/* A square in a square in a square, all running the same way. */
+static void rules_of_filling(void) {
+    const double areas[] = {36, 36 - 16 + 4, 36};
+    const int64_t faces[] = {1, 2, 1}, edges[] = {1, 3, 1};
+    for (int32_t rule = 1; rule <= 3; ++rule) {
+        nurbs *curves[] = {rectangle(0, 0, 6, 6), rectangle(1, 1, 5, 5), rectangle(2, 2, 4, 4)};
+        check_model(region(3, curves, rule), faces[rule - 1], edges[rule - 1], edges[rule - 1],
+                    areas[rule - 1]);
+    }
+    nurbs *backwards[] = {rectangle(6, 0, 0, 6)};
+    check_model(region(1, backwards, NURBS_FILL_POSITIVE), 0, 0, 0, 0);
+    nurbs *again[] = {rectangle(6, 0, 0, 6)};
+    check_model(region(1, again, NURBS_FILL_NON_ZERO), 1, 1, 1, 36);
+    check_model(region(0, NULL, NURBS_FILL_NON_ZERO), 0, 0, 0, 0);
+}
+
+/* Curves one after the other, and a curve that crosses itself. */
+static void loops_of_curves(void) {
+    nurbs *parts[] = {segment(0, 0, 4, 0), segment(4, 0, 0, 3), segment(0, 3, 0, 0),
+                      circle_in_domain(9, 9, 1)};
+    check_model(region(4, parts, NURBS_FILL_NON_ZERO), 2, 4, 4, 6 + pi_);
+    const double bow[] = {0, 0, 2, 2, 2, 0, 0, 2, 0, 0};
+    nurbs *crossing[] = {polyline(5, bow)};
+    check_model(region(1, crossing, NURBS_FILL_NON_ZERO), 2, 3, 2, 2);
+}
+
+static void borders_in_common(void) {
+    nurbs_face *left = face_inside(rectangle(0, 0, 2, 2)), *right = face_inside(rectangle(2, 1, 4, 3)),
+               *same = face_inside(rectangle(2, 2, 0, 0)), *corner = face_inside(rectangle(2, 2, 3, 3));
+    check_model(combined(NURBS_REGION_UNION, left, right), 1, 3, 3, 8);
+    check_model(combined(NURBS_REGION_INTERSECTION, left, right), 0, 0, 0, 0);
+    check_model(combined(NURBS_REGION_DIFFERENCE, left, right), 1, 1, 1, 4);
+    check_model(combined(NURBS_REGION_UNION, left, same), 1, 1, 1, 4);
+    check_model(combined(NURBS_REGION_INTERSECTION, left, same), 1, 1, 1, 4);
+    check_model(combined(NURBS_REGION_DIFFERENCE, left, same), 0, 0, 0, 0);
+    check_model(combined(NURBS_REGION_EITHER, left, same), 0, 0, 0, 0);
+    check_model(combined(NURBS_REGION_UNION, left, corner), 2, 2, 2, 5);
+    check_model(combined(NURBS_REGION_UNION, left, NULL), 1, 1, 1, 4);
+    nurbs_face_destroy(left);
+    nurbs_face_destroy(right);
+    nurbs_face_destroy(same);
+    nurbs_face_destroy(corner);
+}
+
+/* Circles that touch from outside, and from inside; a hole that touches the border. */
+static void circles_that_touch(void) {
+    nurbs_face *big = face_inside(circle_in_domain(0, 0, 2)),
+               *beside = face_inside(circle_in_domain(3, 0, 1)),
+               *inside = face_inside(circle_in_domain(1, 0, 1));
+    check_model(combined(NURBS_REGION_INTERSECTION, big, beside), 0, 0, 0, 0);
+    check_model(combined(NURBS_REGION_UNION, big, beside), 2, 2, 2, 5 * pi_);
+    check_model(combined(NURBS_REGION_DIFFERENCE, big, inside), 1, 2, 1, 3 * pi_);
+    check_model(combined(NURBS_REGION_UNION, big, inside), 1, 1, 1, 4 * pi_);
+    nurbs_face_destroy(big);
+    nurbs_face_destroy(beside);
+    nurbs_face_destroy(inside);
+}
+
+/* Of the plane (2 u, 3 v, 0). */
+static void a_face_is_divided(void) {
+    nurbs *surface = plane(), *across = segment(0, 0.5, 1, 0.5), *ends = segment(0.25, 0.75, 0.25, 2),
+          *within = circle_in_domain(0.75, 0.25, 0.125), *outside = segment(0, 2, 1, 2);
+    nurbs_face *face = NULL;
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_face_create(surface, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    const nurbs *curves[] = {across, ends, within, outside};
+    CHECK_OK(nurbs_face_split(face, 0, NULL, 0, &model));
+    check_model(model, 1, 4, 4, 6);
+    CHECK_OK(nurbs_face_split(face, 1, curves, 0, &model));
+    check_model(model, 2, 7, 6, 6);
+    CHECK_OK(nurbs_face_split(face, 1, curves + 1, 0, &model));
+    check_model(model, 1, 4, 4, 6);
+    CHECK_OK(nurbs_face_split(face, 4, curves, 0, &model));
+    check_model(model, 3, 8, 7, 6);
+    nurbs_face_destroy(face);
+    nurbs_destroy(surface);
+    nurbs_destroy(across);
+    nurbs_destroy(ends);
+    nurbs_destroy(within);
+    nurbs_destroy(outside);
+}
+
+static void what_is_refused(void) {
+    nurbs_model *out = NULL;
+    nurbs *good = square(0, 1), *open = segment(0, 0, 1, 0), *point = polyline(2, VALUES(1, 1, 1, 1)),
+          *surface = plane(), *space = box_edge(0, 1);
+    nurbs_face *face = face_of(surface, 1, CURVES(good)), *other = face_inside(square(0, 1));
+    const nurbs_face *faces[] = {face, other, NULL};
+    const nurbs *curves[] = {good, NULL};
+    CHECK_FAILS(nurbs_region_create(1, CURVES(good), 1, 0, NULL), NURBS_ERROR_NULL, "out");
+    CHECK_FAILS(nurbs_region_create(1, NULL, 1, 0, &out), NURBS_ERROR_NULL, "curves");
+    CHECK_FAILS(nurbs_region_create(2, curves, 1, 0, &out), NURBS_ERROR_NULL, "curves[1]");
+    CHECK_FAILS(nurbs_region_create(-1, curves, 1, 0, &out), NURBS_ERROR_COUNT, "count = -1");
+    CHECK_FAILS(nurbs_region_create(INT64_MAX, curves, 1, 0, &out), NURBS_ERROR_OVERFLOW, "curves");
+    CHECK_FAILS(nurbs_region_create(1, CURVES(good), 0, 0, &out), NURBS_ERROR_RULE, "rule = 0|NURBS_FILL_");
+    CHECK_FAILS(nurbs_region_create(1, CURVES(good), 4, 0, &out), NURBS_ERROR_RULE, "rule = 4");
+    CHECK_FAILS(nurbs_region_create(1, CURVES(good), 1, -1, &out), NURBS_ERROR_TOLERANCE, "tolerance = -1");
+    CHECK_FAILS(nurbs_region_create(1, CURVES(good), 1, NAN, &out), NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_region_create(1, CURVES(good), 1, INFINITY, &out), NURBS_ERROR_TOLERANCE, "finite");
+    CHECK_FAILS(nurbs_region_create(1, CURVES(surface), 1, 0, &out), NURBS_ERROR_AXES, "curves[0]");
+    CHECK_FAILS(nurbs_region_create(1, CURVES(space), 1, 0, &out), NURBS_ERROR_DIMENSION, "curves[0]");
+    CHECK_FAILS(nurbs_region_create(2, CURVES(good, open), 1, 0, &out), NURBS_ERROR_GAP, "curves[1]|1");
+    CHECK_FAILS(nurbs_region_create(2, CURVES(open, good), 1, 0, &out), NURBS_ERROR_GAP,
+                "curves[1]|curves[0]");
+    CHECK_OK(nurbs_region_create(1, CURVES(point), 1, 0, &out));
+    check_model(out, 0, 0, 0, 0);
+    out = NULL;
+    CHECK_FAILS(nurbs_region_combine(0, 1, faces, 0, NULL, 0, &out), NURBS_ERROR_RULE, "NURBS_REGION_");
+    CHECK_FAILS(nurbs_region_combine(1, 3, faces, 0, NULL, 0, &out), NURBS_ERROR_NULL, "a[2]");
+    CHECK_FAILS(nurbs_region_combine(1, 0, NULL, 1, NULL, 0, &out), NURBS_ERROR_NULL, "b is NULL");
+    CHECK_FAILS(nurbs_region_combine(1, -1, faces, 0, NULL, 0, &out), NURBS_ERROR_COUNT, "count_a");
+    CHECK_FAILS(nurbs_region_combine(1, 0, faces, -1, NULL, 0, &out), NURBS_ERROR_COUNT, "count_b");
+    CHECK_FAILS(nurbs_region_combine(1, 1, faces, 1, faces + 1, 0, &out), NURBS_ERROR_INCOMPATIBLE, "b[0]");
+    CHECK_FAILS(nurbs_region_combine(1, 1, faces, 0, NULL, -1, &out), NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_region_combine(1, 1, faces, 0, NULL, 0, NULL), NURBS_ERROR_NULL, "out");
+    CHECK_FAILS(nurbs_face_split(NULL, 1, CURVES(open), 0, &out), NURBS_ERROR_NULL, "face");
+    CHECK_FAILS(nurbs_face_split(face, 1, NULL, 0, &out), NURBS_ERROR_NULL, "curves");
+    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(space), 0, &out), NURBS_ERROR_DIMENSION, "curves[0]");
+    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(open), NAN, &out), NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(open), 0, NULL), NURBS_ERROR_NULL, "out");
+    CHECK_INT(out == NULL, 1);
+    nurbs_face_destroy(face);
+    nurbs_face_destroy(other);
+    nurbs_destroy(good);
+    nurbs_destroy(open);
+    nurbs_destroy(point);
+    nurbs_destroy(surface);
+    nurbs_destroy(space);
+}
+
+static void surfaces_that_close_up(void) {
+    nurbs_model *out = NULL;
+    nurbs *cylinder = NULL, *curve = segment(0, 0, 1, 1);
+    nurbs_face *face = NULL;
+    CHECK_OK(nurbs_surface_cylinder(VALUES(0, 0, 0), VALUES(0, 0, 1), VALUES(1, 0, 0), 1, 2, 0,
+                                    6.283185307179586, NURBS_ARC_QUARTERS, &cylinder));
+    CHECK_OK(nurbs_face_create(cylinder, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(curve), 0, &out), NURBS_ERROR_INCOMPATIBLE, "axis");
+    CHECK_FAILS(nurbs_region_combine(1, 1, (const nurbs_face *const *)&face, 0, NULL, 0, &out),
+                NURBS_ERROR_INCOMPATIBLE, "axis");
+    nurbs_face_destroy(face);
+    nurbs_destroy(cylinder);
+    nurbs_destroy(curve);
+}
+
+int main(void) {
+    rules_of_filling();
+    loops_of_curves();
+    borders_in_common();
+    circles_that_touch();
+    a_face_is_divided();
+    what_is_refused();
+    surfaces_that_close_up();
+    return check_summary("regions_test");
+}
