@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_chains.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "intersect/levels/trace/cluster_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace nrb::intersect {
+
+namespace {
+
+// In parts of pieces: a little more than sides of boxes are shifted.
+constexpr double one_place = 32 * shift_of_sides, no_length = 16 * shift_of_sides;
+constexpr size_t unmatched = static_cast<size_t>(-1);
+
+// A place on both surfaces, in parts of pieces.
+struct CrossSpot {
+    std::array<int64_t, 4> index{};
+    std::array<double, 4> place{}, parameter{};
+};
+
+CrossSpot spot_of(const CrossArc &arc, const CrossPlace &at) noexcept {
+    CrossSpot spot;
+    for (size_t i = 0; i < 4; ++i) {
+        const CrossCell &cell = arc.box.cell(i);
+        const CrossPiece &piece = cell.piece();
+        const size_t k = i % 2;
+        const double x = cell.lower(k) + cell.length(k) * at[i];
+        spot.index[i] = piece.index[k];
+        spot.place[i] = piece.within[k].lower + (piece.within[k].upper - piece.within[k].lower) * x;
+        spot.parameter[i] = piece.range[k].lower * (1 - x) + piece.range[k].upper * x;
+    }
+    return spot;
+}
+
+class CrossJoining {
+public:
+    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossParts &found)
+        : surfaces_{&a, &b}, found_(found), next_(found.arcs.size(), unmatched),
+          last_(found.arcs.size(), unmatched), taken_(found.arcs.size(), false) {}
+
+    CrossChains run() {
+        set_spots();
+        match();
+        add_clusters();
+        for (const bool closed : {false, true}) {
+            for (size_t arc = 0; arc < next_.size(); ++arc) {
+                if (!taken_[arc] && (closed || last_[arc] == unmatched)) {
+                    add_chain(arc, closed);
+                }
+            }
+        }
+        return std::move(result_);
+    }
+
+private:
+    struct Match {
+        double apart;
+        size_t from, to;
+    };
+
+    [[nodiscard]] const pieces::PieceGrid &grid(size_t i) const noexcept { return surfaces_[i / 2]->grid; }
+    [[nodiscard]] bool wraps(size_t i) const noexcept { return surfaces_[i / 2]->borders.wraps(i % 2); }
+    [[nodiscard]] bool is_periodic(size_t i) const noexcept {
+        return surfaces_[i / 2]->borders.is_periodic(i % 2);
+    }
+    [[nodiscard]] int64_t count(size_t i) const noexcept { return grid(i).count(static_cast<int>(i % 2)); }
+    [[nodiscard]] double length(size_t i, int64_t index) const noexcept {
+        const int axis = static_cast<int>(i % 2);
+        return grid(i).break_at(axis, index + 1) - grid(i).break_at(axis, index);
+    }
+
+    // Arcs in corners of boxes are places.
+    void set_spots() {
+        for (size_t arc = 0; arc < found_.arcs.size(); ++arc) {
+            for (size_t end = 0; end < 2; ++end) {
+                spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end].at));
+            }
+            taken_[arc] = apart(spots_[0][arc], spots_[1][arc]) <= no_length;
+        }
+    }
+
+    [[nodiscard]] double apart(const CrossSpot &a, const CrossSpot &b) const noexcept {
+        double most = 0;
+        for (size_t i = 0; i < 4 && most < 1; ++i) {
+            most = std::max(most, apart(a, b, i));
+        }
+        return most;
+    }
+    // Of pieces side by side in parts of the smaller one.
+    [[nodiscard]] double apart(const CrossSpot &a, const CrossSpot &b, size_t i) const noexcept {
+        const double x = a.place[i], y = b.place[i];
+        double least = a.index[i] == b.index[i] ? std::abs(x - y) : infinity;
+        const auto beside = [&](const CrossSpot &lower, const CrossSpot &upper) {
+            const int64_t next = lower.index[i] + 1, n = count(i);
+            if (upper.index[i] == next || (next == n && upper.index[i] == 0 && wraps(i))) {
+                const double below = length(i, lower.index[i]), above = length(i, upper.index[i]);
+                least = std::min(least,
+                                 std::abs((1 - lower.place[i]) * below + upper.place[i] * above) /
+                                     std::min(below, above));
+            }
+        };
+        beside(a, b);
+        beside(b, a);
+        return least;
+    }
+
+    // Pairs of an end and a beginning, the nearest ones first.
+    void match() {
+        std::vector<std::pair<double, size_t>> begins;
+        for (size_t arc = 0; arc < next_.size(); ++arc) {
+            if (!taken_[arc] && !found_.arcs[arc].ends[0].open) {
+                begins.emplace_back(key(spots_[0][arc]), arc);
+            }
+        }
+        std::ranges::sort(begins);
+        std::vector<Match> matches;
+        for (size_t arc = 0; arc < next_.size(); ++arc) {
+            if (!taken_[arc] && !found_.arcs[arc].ends[1].open) {
+                add_matches(arc, begins, matches);
+            }
+        }
+        std::ranges::sort(matches, {}, [](const Match &m) { return std::tuple(m.apart, m.from, m.to); });
+        for (const Match &m : matches) {
+            if (next_[m.from] == unmatched && last_[m.to] == unmatched) {
+                next_[m.from] = m.to;
+                last_[m.to] = m.from;
+            }
+        }
+    }
+    // Along the first axis.
+    [[nodiscard]] double key(const CrossSpot &spot) const noexcept {
+        const double at = static_cast<double>(spot.index[0]) + spot.place[0], n = static_cast<double>(count(0));
+        return wraps(0) && at >= n - window ? at - n : at;
+    }
+    void add_matches(size_t arc, const std::vector<std::pair<double, size_t>> &begins,
+                     std::vector<Match> &matches) const {
+        const double at = key(spots_[1][arc]);
+        auto begin = std::ranges::lower_bound(begins, std::pair(at - window, size_t{0}));
+        for (; begin != begins.end() && begin->first <= at + window; ++begin) {
+            count_work(40);
+            const double far = apart(spots_[1][arc], spots_[0][begin->second]);
+            if (far <= one_place) {
+                matches.push_back({far, arc, begin->second});
+            }
+        }
+    }
+
+    // Those that touch on the first surface are one node.
+    void add_clusters() {
+        std::vector<ParameterRanges> ranges;
+        for (const CrossCluster &cluster : found_.clusters) {
+            ranges.push_back({cluster.ranges[0], cluster.ranges[1]});
+        }
+        for (const std::vector<size_t> &group :
+             touching_groups(ranges, surfaces_[0]->grid, surfaces_[0]->borders)) {
+            std::array<Interval, 4> all = found_.clusters[group.front()].ranges;
+            for (const size_t member : group) {
+                for (size_t i = 0; i < 4; ++i) {
+                    const Interval &own = found_.clusters[member].ranges[i];
+                    all[i] = {std::min(all[i].lower, own.lower), std::max(all[i].upper, own.upper)};
+                }
+            }
+            groups_.push_back(all);
+            add_node(NodeKind::undecided, all);
+        }
+    }
+
+    int64_t add_node(NodeKind kind, const std::array<Interval, 4> &ranges) {
+        MeetNode node{0, kind, {}, {}};
+        for (size_t k = 0; k < 2; ++k) {
+            node.at[k] = ranges[k].lower / 2 + ranges[k].upper / 2;
+            node.at_second[k] = ranges[2 + k].lower / 2 + ranges[2 + k].upper / 2;
+            node.range[k] = ranges[k];
+            node.range_second[k] = ranges[2 + k];
+        }
+        result_.nodes.push_back(node);
+        return std::ssize(result_.nodes) - 1;
+    }
+    int64_t add_node(NodeKind kind, const CrossSpot &spot) {
+        std::array<Interval, 4> ranges;
+        for (size_t i = 0; i < 4; ++i) {
+            const int axis = static_cast<int>(i % 2);
+            const double at =
+                std::clamp(spot.parameter[i], grid(i).break_at(axis, 0), grid(i).break_at(axis, count(i)));
+            ranges[i] = {at, at};
+        }
+        return add_node(kind, ranges);
+    }
+
+    // Where a way begins or ends.
+    int64_t node_at(size_t arc, size_t end) {
+        const CrossSpot &spot = spots_[end][arc];
+        if (found_.arcs[arc].ends[end].open) {
+            return add_node(NodeKind::border, spot);
+        }
+        for (size_t group = 0; group < groups_.size(); ++group) {
+            if (is_in(spot, groups_[group])) {
+                return static_cast<int64_t>(group);
+            }
+        }
+        return add_node(NodeKind::undecided, spot);
+    }
+    // With what sides are shifted by, and what seams move.
+    [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = one_place * length(i, spot.index[i]), at = spot.parameter[i];
+            const double period = wraps(i) ? surfaces_[i / 2]->borders.period(i % 2) : 0;
+            bool in = false;
+            for (const double x : {at, at - period, at + period}) {
+                in = in || (x >= ranges[i].lower - room && x <= ranges[i].upper + room);
+            }
+            if (!in) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // Where parameters do not go on chains are cut.
+    [[nodiscard]] bool is_seam(size_t before, size_t after) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double far = std::abs(spots_[1][before].parameter[i] - spots_[0][after].parameter[i]);
+            if (!is_periodic(i) && wraps(i) && far > surfaces_[i / 2]->borders.period(i % 2) / 2) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void add_chain(size_t first, bool closed) {
+        std::vector<size_t> arcs;
+        for (size_t arc = first; arc != unmatched && !taken_[arc]; arc = next_[arc]) {
+            taken_[arc] = true;
+            arcs.push_back(arc);
+        }
+        if (closed) {
+            const auto after_seam =
+                std::ranges::find_if(arcs, [&](size_t arc) { return is_seam(last_[arc], arc); });
+            std::rotate(arcs.begin(), after_seam == arcs.end() ? arcs.begin() : after_seam, arcs.end());
+        }
+        const bool cut = closed && is_seam(arcs.back(), arcs.front());
+        const size_t begun = result_.chains.size();
+        const int64_t loop = closed ? loops_++ : -1;
+        CrossChain chain;
+        for (size_t i = 0; i < arcs.size(); ++i) {
+            chain.arcs.push_back(arcs[i]);
+            if (i + 1 < arcs.size() && is_seam(arcs[i], arcs[i + 1])) {
+                add_part(std::exchange(chain, {}), loop, begun);
+            }
+        }
+        chain.closed = closed && !cut && chain.arcs.size() == arcs.size();
+        add_part(std::move(chain), loop, begun);
+        if (cut) {
+            go_on(result_.chains.back().nodes[1], result_.chains[begun].nodes[0]);
+        }
+    }
+    // Parts of one way follow each other.
+    void add_part(CrossChain chain, int64_t loop, size_t begun) {
+        chain.loop = loop;
+        const size_t first = chain.arcs.front(), last = chain.arcs.back();
+        if (!chain.closed) {
+            chain.nodes = {last_[first] == unmatched ? node_at(first, 0) : add_node(NodeKind::seam, spots_[0][first]),
+                           next_[last] == unmatched ? node_at(last, 1) : add_node(NodeKind::seam, spots_[1][last])};
+        }
+        if (result_.chains.size() > begun) {
+            go_on(result_.chains.back().nodes[1], chain.nodes[0]);
+        }
+        result_.chains.push_back(std::move(chain));
+    }
+    void go_on(int64_t from, int64_t to) {
+        result_.nodes[static_cast<size_t>(from)].next = to;
+        result_.nodes[static_cast<size_t>(to)].next = from;
+    }
+
+    static constexpr double window = 1e-7; // of keys
+
+    std::array<const CrossSurface *, 2> surfaces_;
+    const CrossParts &found_;
+    std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
+    std::vector<size_t> next_, last_;             // arcs
+    std::vector<bool> taken_;
+    std::vector<std::array<Interval, 4>> groups_; // of clusters: the first nodes
+    int64_t loops_ = 0;
+    CrossChains result_;
+};
+
+} // namespace
+
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossParts &found) {
+    return CrossJoining(a, b, found).run();
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_search.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
+constexpr size_t most_flat = 512;       // pairs of one size within the tolerance of each other that are halved
+constexpr size_t most_pairs = 1 << 16;
+constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
+// In parts of the errors of points: what is no thicker is not told apart by smaller parts.
+constexpr double thick = 16;
+
+bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
+    const double room = a.piece().error + b.piece().error;
+    for (size_t c = 0; c < 3; ++c) {
+        if (a.box()[c].lower - b.box()[c].upper > room || b.box()[c].lower - a.box()[c].upper > room) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool is_positive(const closest::PairCell &cell) noexcept {
+    return cell.piece && cell.piece->positive();
+}
+
+} // namespace
+
+CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends)
+    : grid(pieces::piece_grid_of(surface)), borders(ends), cells(surface, frame) {}
+
+CrossCell &CrossSearch::Side::root(PairCell &cell) {
+    if (cell.mark == 0) {
+        pieces.emplace_back(*cell.piece, grid, borders);
+        roots.push_back(&parts.emplace_back(pieces.back()));
+        cell.mark = roots.size();
+        count_work(work_of_a_kept_part);
+    }
+    return *roots[cell.mark - 1];
+}
+
+CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
+                         const SurfaceBorders &borders_b)
+    : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a), b_(b, frame_, borders_b) {}
+
+CrossParts CrossSearch::run(double tolerance) {
+    tolerance_ = frame_.scaled(tolerance);
+    find_pieces();
+    SearchSteps steps;
+    while (!pairs_.empty()) {
+        for (const Pair &pair : pairs_) {
+            if (work_ended() || next_.size() + flat_.size() > most_pairs) {
+                add(pair, false);
+            } else {
+                look(pair);
+            }
+            steps.next(next_.size());
+        }
+        const bool crowd = flat_.size() > most_flat;
+        for (const Pair &pair : flat_) {
+            crowd ? add(pair, true) : halve(pair, pair.a->size() >= pair.b->size());
+        }
+        flat_.clear();
+        pairs_ = std::exchange(next_, {});
+    }
+    return std::move(found_);
+}
+
+void CrossSearch::find_pieces() {
+    stack_.emplace_back(&a_.cells.root(), &b_.cells.root());
+    while (!stack_.empty()) {
+        const auto [a, b] = stack_.back();
+        stack_.pop_back();
+        work_ended() ? add_unknown(*a, *b) : look_at(*a, *b);
+    }
+}
+
+void CrossSearch::look_at(PairCell &a, PairCell &b) {
+    a_.cells.tighten(a);
+    b_.cells.tighten(b);
+    count_work(24);
+    const double room = a.moved + b.moved + 16 * eps;
+    for (size_t c = 0; c < 3; ++c) {
+        if (a.box[c] - b.box[3 + c] > room || b.box[c] - a.box[3 + c] > room) {
+            return;
+        }
+    }
+    if (is_positive(a) && is_positive(b)) {
+        pairs_.push_back({&a_.root(a), &b_.root(b)});
+    } else {
+        divide(a, b);
+    }
+}
+
+// Groups go before pieces.
+void CrossSearch::divide(PairCell &a, PairCell &b) {
+    const auto rank = [](const PairCell &cell) {
+        return is_positive(cell) ? -1 : cell.piece ? cell.size : cell.size + 1e3;
+    };
+    const bool first = rank(a) >= rank(b);
+    PairCell &cell = first ? a : b;
+    if ((cell.piece && cell.halvings >= most_blind_halvings) || !(first ? a_ : b_).cells.split(cell)) {
+        add_unknown(a, b);
+        return;
+    }
+    for (PairCell &child : cell.children) {
+        first ? stack_.emplace_back(&child, &b) : stack_.emplace_back(&a, &child);
+    }
+}
+
+void CrossSearch::look(const Pair &pair) {
+    count_work(24);
+    if (are_apart(*pair.a, *pair.b)) {
+        return;
+    }
+    if (!pair.a->prepare() || !pair.b->prepare()) {
+        halve(pair, !pair.a->prepare());
+        return;
+    }
+    box_.a = pair.a;
+    box_.b = pair.b;
+    switch (box_.chart.set(*pair.a, *pair.b)) {
+    case CrossChart::Verdict::apart:
+        return;
+    case CrossChart::Verdict::chart: {
+        const ArcFinder::Verdict verdict = finder_.look(box_);
+        if (verdict == ArcFinder::Verdict::arc) {
+            count_work(work_of_a_kept_part);
+            found_.arcs.push_back(finder_.arc());
+        } else if (verdict == ArcFinder::Verdict::open) {
+            halve(pair, box_.chart.first_bends_more());
+        }
+        return;
+    }
+    case CrossChart::Verdict::bent:
+    case CrossChart::Verdict::flat:
+        look_at_flat(pair);
+    }
+}
+
+// How far both reach on either side of a plane; less than 0: they are apart along its normal.
+double CrossSearch::thickness(const Pair &pair) const {
+    const Vector3 of_a = cross(pair.a->slope(0), pair.a->slope(1)), of_b = cross(pair.b->slope(0), pair.b->slope(1));
+    double least = infinity;
+    for (const Vector3 &normal : {of_a, of_b}) {
+        const double size = length(normal);
+        if (!(size > 0)) {
+            continue;
+        }
+        const Vector3 unit = (1 / size) * normal;
+        const Interval a = pair.a->points_along(unit), b = pair.b->points_along(unit);
+        const double between = dot(unit, pair.a->centre() - pair.b->centre()),
+                     room = 2 * (pair.a->error() + pair.b->error());
+        count_work(200);
+        if (between + a.lower - b.upper > room || between + a.upper - b.lower < -room) {
+            return -1;
+        }
+        least = std::min(least, std::max(b.upper, between + a.upper) - std::min(b.lower, between + a.lower));
+    }
+    return least;
+}
+
+void CrossSearch::look_at_flat(const Pair &pair) {
+    const double thickness = this->thickness(pair), error = pair.a->error() + pair.b->error();
+    if (thickness < 0) {
+        return;
+    }
+    if (thickness <= thick * error) {
+        add(pair, thickness <= tolerance_);
+    } else if (thickness <= tolerance_) {
+        flat_.push_back(pair);
+    } else {
+        halve(pair, box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size());
+    }
+}
+
+void CrossSearch::halve(const Pair &pair, bool first) {
+    const double small = 4 * (pair.a->piece().error + pair.b->piece().error);
+    for (const bool of_a : {first, !first}) {
+        CrossCell &cell = of_a ? *pair.a : *pair.b;
+        if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
+            for (size_t end = 0; end < 2; ++end) {
+                next_.push_back(of_a ? Pair{cell.half(end), pair.b} : Pair{pair.a, cell.half(end)});
+            }
+            return;
+        }
+    }
+    add(pair, false);
+}
+
+namespace {
+
+void set_ranges(const CrossCell &cell, Interval *ranges) noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto [lower, upper] = cell.piece().range[k];
+        const auto parameter = [&](double place) {
+            return place == 1 ? upper : std::clamp(lower * (1 - place) + upper * place, lower, upper);
+        };
+        ranges[k] = {parameter(cell.lower(k)), parameter(cell.lower(k) + cell.length(k))};
+    }
+}
+
+} // namespace
+
+void CrossSearch::add(const Pair &pair, bool near) {
+    count_work(work_of_a_kept_part);
+    CrossCluster &cluster = found_.clusters.emplace_back();
+    cluster.near = near;
+    set_ranges(*pair.a, cluster.ranges.data());
+    set_ranges(*pair.b, cluster.ranges.data() + 2);
+}
+
+// Of groups of pieces all of the surface.
+void CrossSearch::add_unknown(const PairCell &a, const PairCell &b) {
+    CrossCluster &cluster = found_.clusters.emplace_back();
+    const auto set = [&](const PairCell &cell, const pieces::PieceGrid &grid, size_t at) {
+        for (size_t k = 0; k < 2; ++k) {
+            const int axis = static_cast<int>(k);
+            cluster.ranges[at + k] = {grid.break_at(axis, 0), grid.break_at(axis, grid.count(axis))};
+            if (cell.piece) {
+                cluster.ranges[at + k] = {cell.piece->parameter({0, 0})[k], cell.piece->parameter({1, 1})[k]};
+            }
+        }
+    };
+    set(a, a_.grid, 0);
+    set(b, b_.grid, 2);
+}
+
+} // namespace nrb::intersect
