@@ -10,7 +10,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int most_steps = 16, most_probes = 7, most_sides = 6;
+constexpr int most_steps = 16, most_probes = 3, most_sides = 6;
 constexpr double most_place = 1 + widening;
 
 // x of [first, last] where a + b (x - x0) >= 0.
@@ -56,8 +56,10 @@ CrossBox::Value CrossBox::at(const CrossPlace &z) const noexcept {
     return value;
 }
 
+// What is left after a step is about its square, or what rounding leaves.
 bool CrossBox::solve(size_t fixed, CrossPlace &z) const {
     double last = infinity;
+    int clamped = 0;
     for (int i = 0; i < most_steps; ++i) {
         count_work(600);
         const Value value = at(z);
@@ -66,17 +68,21 @@ bool CrossBox::solve(size_t fixed, CrossPlace &z) const {
             return false;
         }
         const double size = largest(step);
-        if (size <= 8 * eps || (size >= last / 2 && size <= 64 * (chart.norm() * chart.near() + eps))) {
+        bool is_clamped = false;
+        for (size_t k = 0; k < 4; ++k) {
+            const double next = z[k] - step[k], inside = std::clamp(next, -widening, most_place);
+            is_clamped = is_clamped || inside != next;
+            z[k] = k == fixed ? z[k] : inside;
+        }
+        if (!is_clamped &&
+            (size <= 0x1p-27 || (size >= last / 2 && size <= 64 * chart.norm() * chart.near()))) {
             return true;
         }
-        if (size >= 2 * last && i > 2) {
+        clamped += is_clamped ? 1 : 0;
+        if (clamped == 3 || (size >= last && i > 1)) {
             return false;
         }
         last = size;
-        for (size_t k = 0; k < 4; ++k) {
-            const double next = z[k] - step[k];
-            z[k] = k == fixed ? z[k] : std::clamp(next, -widening, most_place);
-        }
     }
     return false;
 }
@@ -92,9 +98,8 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, Interval &ran
         }
     }
     const double far = std::max(std::abs(range.lower - z0[k]), std::abs(range.upper - z0[k]));
-    const double reach =
-        std::min(farthest, 1.0001 * (largest(step) + chart.norm() * chart.near() + fastest * far) /
-                               (1 - chart.rho()));
+    const double reach = std::min(
+        farthest, 1.0001 * (largest(step) + chart.norm() * chart.near() + fastest * far) / (1 - chart.rho()));
     std::array<Interval, 2> halves{Interval{range.lower, std::min(range.upper, z0[k])},
                                    Interval{std::max(range.lower, z0[k]), range.upper}};
     for (size_t h = 0; h < 2; ++h) {
@@ -116,7 +121,8 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, Interval &ran
     }
 }
 
-// A zero of the box at inside_, or what else is known.
+// A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by or rounding
+// can tell, is nothing: arcs of the neighbours go on in each other there.
 std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
     const CrossChart &chart = box_->chart;
     const size_t k = chart.axis();
@@ -124,8 +130,9 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
     Interval range{box_->side(k, 0), box_->side(k, 1)};
     CrossPlace step = chart.step(box_->a->centre() - box_->b->centre());
     clip(z, step, range);
+    const double little = 4 * shift_of_sides / box_->cell(k).length(k % 2) + 16 * chart.norm() * chart.near();
     for (int probe = 0; probe < most_probes; ++probe) {
-        if (is_empty(range)) {
+        if (!(range.upper - range.lower > little)) {
             return Verdict::nothing;
         }
         const double next = range.lower / 2 + range.upper / 2;
@@ -142,7 +149,7 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
         }
         clip(z, step, range);
     }
-    return is_empty(range) ? Verdict::nothing : Verdict::open;
+    return range.upper - range.lower > little ? Verdict::open : Verdict::nothing;
 }
 
 // Along the tangent to the side that it meets first, and on that side to the curve; then to any other side beyond which that

@@ -31,7 +31,7 @@ struct CrossBox {
 
 // A zero on the border of a box.
 struct CrossEnd {
-    CrossPlace at{};      // places in the parts
+    CrossPlace at{};       // places in the parts
     size_t coordinate = 0; // the side on which it is
     size_t side = 0;       // 0: the lower one
     bool open = false;     // the surface ends there

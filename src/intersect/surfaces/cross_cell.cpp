@@ -23,39 +23,56 @@ double dot3(const Vector3 &a, const double *b) noexcept {
     return a.x * b[0] + a.y * b[1] + a.z * b[2];
 }
 
-// The coefficients over the wide part of those over [0, 1], by the blossom.
-void widen(const AxisLayers &layers, std::vector<double> &values) {
-    std::array<double, max_degree + 1> from{}, to{};
-    const int p = layers.degree;
-    for (int64_t o = 0; o < layers.outer; ++o) {
-        for (int64_t c = 0; c < layers.inner; ++c) {
-            const auto value = [&](int i) -> double & {
-                return values[static_cast<size_t>(layers.at(o, i, c))];
-            };
-            for (int i = 0; i <= p; ++i) {
-                from[static_cast<size_t>(i)] = value(i);
+// Of Bernstein coefficients [degree + 1] those over the wide part, by the blossom: [degree + 1][degree + 1].
+std::vector<double> widening_matrix(int degree) {
+    const auto n = static_cast<size_t>(degree) + 1;
+    std::vector<double> matrix(n * n);
+    std::array<double, max_degree + 1> unit{};
+    for (size_t j = 0; j < n; ++j) {
+        for (size_t r = 0; r < n; ++r) {
+            unit.fill(0);
+            unit[j] = 1;
+            for (size_t level = n - 1; level > 0; --level) {
+                casteljau_step(static_cast<int64_t>(level), 1, level > r ? -widening : 1 + widening,
+                               unit.data());
             }
-            for (int r = 0; r <= p; ++r) {
-                to = from;
-                for (int level = p; level > 0; --level) {
-                    casteljau_step(level, 1, level > r ? -widening : 1 + widening, to.data());
+            matrix[r * n + j] = unit[0];
+        }
+    }
+    return matrix;
+}
+
+void apply(const std::vector<double> &matrix, const AxisLayers &layers, const double *from, double *to) {
+    const auto n = static_cast<size_t>(layers.degree) + 1, inner = static_cast<size_t>(layers.inner);
+    for (int64_t o = 0; o < layers.outer; ++o) {
+        for (size_t r = 0; r < n; ++r, to += inner) {
+            std::fill_n(to, inner, 0.0);
+            for (size_t j = 0; j < n; ++j) {
+                const double factor = matrix[r * n + j], *layer = from + j * inner;
+                for (size_t c = 0; c < inner; ++c) {
+                    to[c] += factor * layer[c];
                 }
-                value(r) = to[0];
             }
         }
+        from += n * inner;
     }
 }
 
 } // namespace
 
-CrossPiece::CrossPiece(pieces::BezierPiece made, const pieces::PieceGrid &grid, const SurfaceBorders &borders)
-    : piece(std::move(made)), degrees{piece.degree(0), piece.degree(1)} {
+CrossGround::CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes)
+    : grid(pieces::piece_grid_of(surface)), borders(ends),
+      shifts(of_axes), widenings{widening_matrix(surface.axis(0).degree()),
+                                 widening_matrix(surface.axis(1).degree())} {}
+
+CrossPiece::CrossPiece(pieces::BezierPiece made, const CrossGround &of)
+    : ground(&of), piece(std::move(made)), degrees{piece.degree(0), piece.degree(1)}, shift(of.shifts) {
     const pieces::LocalParam first = piece.parameter({0, 0}), last = piece.parameter({1, 1});
     for (size_t k = 0; k < 2; ++k) {
         range[k] = {first[k], last[k]};
     }
     error = piece.moved() + (2 * (degrees[0] + degrees[1]) + 8) * eps * piece.reach();
-    set_sides(grid, borders);
+    set_sides(of.grid, of.borders);
 }
 
 void CrossPiece::set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &borders) {
@@ -67,15 +84,18 @@ void CrossPiece::set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &
             return grid.break_at(axis, piece_at + 1) - grid.break_at(axis, piece_at);
         };
         index[k] = i;
-        const double start = grid.break_at(axis, i), whole = length(i), part = range[k].upper - range[k].lower;
+        const double start = grid.break_at(axis, i), whole = length(i),
+                     part = range[k].upper - range[k].lower;
         within[k] = {range[k].lower == start ? 0 : (range[k].lower - start) / whole,
                      range[k].upper == grid.break_at(axis, i + 1) ? 1 : (range[k].upper - start) / whole};
+        const double of_axis = shift[k];
+        shift[k] *= whole / part;
         for (size_t end = 0; end < 2; ++end) {
             const bool up = end == 1, is_break = (up ? within[k].upper : within[k].lower) == (up ? 1 : 0);
             open[k][end] = is_break && !borders.goes_on(k, i, up);
             const double next = is_break && !open[k][end] ? length(up ? i + 1 : i - 1) : whole;
-            const double shift = shift_of_sides * std::min(next, whole) / part;
-            shifts[k][end] = open[k][end] && !up ? -shift : shift;
+            const double by = of_axis * std::min(next, whole) / part;
+            shifts[k][end] = open[k][end] && !up ? -by : by;
         }
     }
 }
@@ -109,7 +129,7 @@ CrossPiece::Point CrossPiece::evaluate(const std::array<double, 2> &place) const
     const auto quotient = [&](const std::array<double, width> &by) {
         return inverse * (Vector3{by[0], by[1], by[2]} - by[3] * at);
     };
-    return {at, {quotient(by_u), quotient(by_v)}};
+    return {at, {quotient(by_u), quotient(by_v)}, {by_u[3] * inverse, by_v[3] * inverse}};
 }
 
 CrossCell::CrossCell(const CrossPiece &piece)
@@ -128,8 +148,7 @@ CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vecto
 
 double CrossCell::side(size_t axis, size_t end) const noexcept {
     const bool inside = end == 0 ? lower_[axis] > 0 : lower_[axis] + length_[axis] < 1;
-    const double part = piece_->within[axis].upper - piece_->within[axis].lower;
-    const double shift = inside ? shift_of_sides / part : piece_->shifts[axis][end];
+    const double shift = inside ? piece_->shift[axis] : piece_->shifts[axis][end];
     return static_cast<double>(end) + shift / length_[axis];
 }
 
@@ -157,10 +176,11 @@ bool CrossCell::prepare() {
     if (state_ != State::unknown) {
         return state_ == State::positive;
     }
-    std::vector<double> wide = records_;
+    std::vector<double> wide(records_.size()), half(records_.size());
     const auto &[p, q] = piece_->degrees;
-    widen({1, p, (q + 1) * static_cast<int64_t>(width)}, wide);
-    widen({p + 1, q, static_cast<int64_t>(width)}, wide);
+    const auto &widenings = piece_->ground->widenings;
+    apply(widenings[0], {1, p, (q + 1) * static_cast<int64_t>(width)}, records_.data(), half.data());
+    apply(widenings[1], {p + 1, q, static_cast<int64_t>(width)}, half.data(), wide.data());
     count_work((p + q + 8) * std::ssize(wide));
     weights_ = {infinity, 0};
     for (size_t i = 3; i < wide.size(); i += width) {
@@ -180,6 +200,7 @@ void CrossCell::set_wide(const std::vector<double> &records) {
     const CrossPiece::Point point = piece_->evaluate(in_piece(middle.data()));
     centre_ = point.at;
     slope_ = {length_[0] * point.slope[0], length_[1] * point.slope[1]};
+    const std::array<double, 2> turns{length_[0] * point.turn[0], length_[1] * point.turn[1]};
     std::vector<double> from_centre = records;
     points_.resize(records.size() / width * 3);
     for (size_t i = 0; i < records.size() / width; ++i) {
@@ -201,39 +222,40 @@ void CrossCell::set_wide(const std::vector<double> &records) {
     error_ = piece_->error + (depth_ + 1) * std::max(p, q) * eps * piece_->piece.reach();
     slope_error_ = 4 * std::max(p, q) * ratio * amplified * error_;
     for (size_t k = 0; k < 2; ++k) {
-        set_slopes(from_centre, k);
+        set_slopes(from_centre, k, turns[k]);
     }
 }
 
-void CrossCell::set_slopes(const std::vector<double> &records, size_t axis) {
+// With N = (w (S - centre))_k and w_k raised to the degree of w, D = S_k in the middle and r = w_k / w there, the derivative is
+//     S_k = D + (N - D w - r w (S - centre) - (S - centre) (w_k - r w)) / w:
+// what is kept are the coefficients of the first three terms of the numerator, and the largest |w_k - r w|.
+void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, double turn) {
     const auto &[p, q] = piece_->degrees;
     const int degree = piece_->degrees[axis];
     const double factor = degree / (1 + 2 * widening);
     const size_t step = width * (axis == 0 ? static_cast<size_t>(q) + 1 : 1);
-    std::vector<double> &slopes = slopes_[axis];
-    slopes.reserve(records.size());
-    double turn = 0;
-    for (int i = 0; i <= p; ++i) {
-        for (int j = 0; j <= q; ++j) {
-            if ((axis == 0 ? i : j) == degree) {
-                continue;
-            }
-            const double *a = &records[width * static_cast<size_t>(i * (q + 1) + j)], *b = a + step;
-            for (size_t c = 0; c < 3; ++c) {
-                slopes.push_back(factor * (b[c] - a[c]));
-            }
-            turn = std::max(turn, std::abs(b[3] - a[3]));
+    const std::array<double, width> middle{slope_[axis].x, slope_[axis].y, slope_[axis].z, turn};
+    std::vector<double> &off = slopes_[axis];
+    off.reserve(records.size() / width * 3);
+    double largest_turn = 0;
+    bends_[axis] = 0;
+    for (size_t at = 0; at < records.size(); at += width) {
+        const size_t i = at / step % (static_cast<size_t>(degree) + 1);
+        const double share = static_cast<double>(i) / degree, *own = &records[at];
+        std::array<double, width> by{};
+        for (size_t c = 0; c < width; ++c) {
+            by[c] = factor * ((i > 0 ? share * (own[c] - (own - step)[c]) : 0) +
+                              (share < 1 ? (1 - share) * ((own + step)[c] - own[c]) : 0));
         }
-    }
-    turns_[axis] = 1.0001 * factor * turn / weights_.lower;
-    const size_t next = 3 * (axis == 0 ? static_cast<size_t>(q) + 1 : 1);
-    double bend = 0;
-    for (size_t i = 0; i + next < slopes.size(); ++i) {
-        if (axis == 0 || i / 3 % static_cast<size_t>(q) + 1 < static_cast<size_t>(q)) {
-            bend = std::max(bend, std::abs(slopes[i + next] - slopes[i]));
+        for (size_t c = 0; c < 3; ++c) {
+            off.push_back(by[c] - middle[c] * own[3] - turn * own[c]);
+            bends_[axis] = std::max(bends_[axis], std::abs(off.back()));
         }
+        largest_turn = std::max(largest_turn, std::abs(by[3] - turn * own[3]));
     }
-    bends_[axis] = bend / weights_.upper + reach_ * turns_[axis] + little_bend * numeric::length(slope_[axis]);
+    turns_[axis] = 1.0001 * largest_turn;
+    bends_[axis] =
+        (bends_[axis] + reach_ * turns_[axis]) / weights_.upper + little_bend * numeric::length(slope_[axis]);
 }
 
 Interval CrossCell::points_along(const Vector3 &vector) const noexcept {
@@ -245,7 +267,6 @@ Interval CrossCell::points_along(const Vector3 &vector) const noexcept {
     return range;
 }
 
-// S_k = (w S_k - (..)) / w: with the coefficients of N = (w (S - centre))_k the derivative is (N - w_k (S - centre)) / w.
 CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
     CrossExtents extents{points_along(vector), {}};
     const double far = std::max(std::abs(extents.points.lower), std::abs(extents.points.upper)),
@@ -257,9 +278,10 @@ CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
             const double x = dot3(vector, &slopes_[k][i]);
             range = {std::min(range.lower, x), std::max(range.upper, x)};
         }
-        const double off = far * turns_[k] + room;
-        extents.slopes[k] = {range.lower * (range.lower < 0 ? most : least) - off,
-                             range.upper * (range.upper < 0 ? least : most) + off};
+        range = {range.lower - far * turns_[k], range.upper + far * turns_[k]};
+        const double middle = dot(vector, slope_[k]);
+        extents.slopes[k] = {middle + range.lower * (range.lower < 0 ? most : least) - room,
+                             middle + range.upper * (range.upper < 0 ? least : most) + room};
     }
     return extents;
 }
@@ -269,7 +291,8 @@ double CrossCell::largest_slope(size_t axis) const noexcept {
     for (size_t i = 0; i < slopes_[axis].size(); i += 3) {
         most = std::max(most, norm(&slopes_[axis][i], 3));
     }
-    return 1.0001 * (most / weights_.lower + reach_ * turns_[axis] + slope_error_);
+    return 1.0001 *
+           (numeric::length(slope_[axis]) + (most + reach_ * turns_[axis]) / weights_.lower + slope_error_);
 }
 
 size_t CrossCell::axis_of_halves() const noexcept {

@@ -14,30 +14,49 @@ namespace nrb::intersect {
 
 // Boxes of parts do not end where the parts do, but a little farther: common curves often run exactly along knots and
 // middles, or through corners of these, and hardly ever along what is shifted by a number that nobody has in mind. Where the
-// surface ends or jumps boxes end beyond it by as much, so that what runs along a border is inside.
-constexpr double shift_of_sides = 0x1.3cp-38;
+// surface ends or jumps boxes end beyond it by as much, so that what runs along a border is inside. Each axis has a shift of its
+// own, since two surfaces may be graphs over one plane.
+constexpr double shift_of_sides = 0x1.3cp-38; // the largest one, in parts of pieces
+using SideShifts = std::array<double, 2>;
+constexpr std::array<SideShifts, 2> side_shifts{
+    SideShifts{shift_of_sides, 0x1.1p-1 * shift_of_sides},
+    SideShifts{0x1.9p-1 * shift_of_sides, 0x1.5p-2 * shift_of_sides}};
 // Polynomials go on beyond their pieces. What is proven of a part is proven of this much more of it on all sides, in parts
 // of its length.
 constexpr double widening = 1.0 / 8;
 
+// What the pieces of a surface have in common.
+struct CrossGround {
+    CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes);
+
+    const pieces::PieceGrid &grid;
+    const SurfaceBorders &borders;
+    SideShifts shifts;
+    std::array<std::vector<double>, 2> widenings; // of coefficients along an axis, to those of the wide part
+};
+
 // A Bezier piece with positive weights, about the centre of both surfaces.
 struct CrossPiece {
-    CrossPiece(pieces::BezierPiece made, const pieces::PieceGrid &grid, const SurfaceBorders &borders);
+    CrossPiece(pieces::BezierPiece made, const CrossGround &of);
 
     struct Point {
         Vector3 at;
         std::array<Vector3, 2> slope; // by places
+        std::array<double, 2> turn;   // of the weight, in parts of it
     };
     // At a place in [0, 1]^2, or not far outside.
     [[nodiscard]] Point evaluate(const std::array<double, 2> &place) const noexcept;
 
+    const CrossGround *ground;
     pieces::BezierPiece piece;
     std::array<int, 2> degrees{};
-    pieces::PieceGrid::Index index{};  // of the piece of the surface that it is a part of
-    std::array<Interval, 2> range{};   // parameters
-    std::array<Interval, 2> within{};  // places in that piece of the surface: all of it, if weights are positive there
+    pieces::PieceGrid::Index index{}; // of the piece of the surface that it is a part of
+    std::array<Interval, 2> range{};  // parameters
+    std::array<Interval, 2>
+        within{}; // places in that piece of the surface: all of it, if weights are positive there
     std::array<std::array<bool, 2>, 2> open{};     // [axis][end]: the surface ends there
     std::array<std::array<double, 2>, 2> shifts{}; // [axis][end], of the sides of its box, by places
+    SideShifts shift{};                            // the same of sides inside of the piece
     double error = 0;                              // of points that are evaluated
 
 private:
@@ -96,7 +115,7 @@ public:
 private:
     void set_box();
     void set_wide(const std::vector<double> &records);
-    void set_slopes(const std::vector<double> &records, size_t axis);
+    void set_slopes(const std::vector<double> &records, size_t axis, double turn);
     [[nodiscard]] size_t axis_of_halves() const noexcept;
 
     const CrossPiece *piece_;
@@ -107,9 +126,9 @@ private:
     double size_ = 0;
 
     enum class State { unknown, positive, other } state_ = State::unknown;
-    std::vector<double> points_;                 // from the centre
-    std::array<std::vector<double>, 2> slopes_;  // coefficients of w S_k - w_k (S - centre) + w_k (S - centre)
-    std::array<double, 2> turns_{}, bends_{};    // the largest |w_k| / w; how far coefficients of slopes are apart
+    std::vector<double> points_;                // from the centre
+    std::array<std::vector<double>, 2> slopes_; // of set_slopes()
+    std::array<double, 2> turns_{}, bends_{};   // of weights; how much derivatives change
     Interval weights_{1, 1};
     double error_ = 0, reach_ = 0, slope_error_ = 0;
     Vector3 centre_;

@@ -22,6 +22,7 @@ constexpr size_t unmatched = static_cast<size_t>(-1);
 struct CrossSpot {
     std::array<int64_t, 4> index{};
     std::array<double, 4> place{}, parameter{};
+    double noise = 0; // of places
 };
 
 CrossSpot spot_of(const CrossArc &arc, const CrossPlace &at) noexcept {
@@ -33,6 +34,7 @@ CrossSpot spot_of(const CrossArc &arc, const CrossPlace &at) noexcept {
         const double x = cell.lower(k) + cell.length(k) * at[i];
         spot.index[i] = piece.index[k];
         spot.place[i] = piece.within[k].lower + (piece.within[k].upper - piece.within[k].lower) * x;
+        spot.noise = std::max(spot.noise, 16 * arc.box.chart.norm() * arc.box.chart.near() * cell.length(k));
         spot.parameter[i] = piece.range[k].lower * (1 - x) + piece.range[k].upper * x;
     }
     return spot;
@@ -81,7 +83,7 @@ private:
             for (size_t end = 0; end < 2; ++end) {
                 spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end].at));
             }
-            taken_[arc] = apart(spots_[0][arc], spots_[1][arc]) <= no_length;
+            taken_[arc] = apart(spots_[0][arc], spots_[1][arc]) <= no_length + spots_[0][arc].noise;
         }
     }
 
@@ -100,9 +102,8 @@ private:
             const int64_t next = lower.index[i] + 1, n = count(i);
             if (upper.index[i] == next || (next == n && upper.index[i] == 0 && wraps(i))) {
                 const double below = length(i, lower.index[i]), above = length(i, upper.index[i]);
-                least = std::min(least,
-                                 std::abs((1 - lower.place[i]) * below + upper.place[i] * above) /
-                                     std::min(below, above));
+                least = std::min(least, std::abs((1 - lower.place[i]) * below + upper.place[i] * above) /
+                                            std::min(below, above));
             }
         };
         beside(a, b);
@@ -135,7 +136,8 @@ private:
     }
     // Along the first axis.
     [[nodiscard]] double key(const CrossSpot &spot) const noexcept {
-        const double at = static_cast<double>(spot.index[0]) + spot.place[0], n = static_cast<double>(count(0));
+        const double at = static_cast<double>(spot.index[0]) + spot.place[0],
+                     n = static_cast<double>(count(0));
         return wraps(0) && at >= n - window ? at - n : at;
     }
     void add_matches(size_t arc, const std::vector<std::pair<double, size_t>> &begins,
@@ -144,8 +146,9 @@ private:
         auto begin = std::ranges::lower_bound(begins, std::pair(at - window, size_t{0}));
         for (; begin != begins.end() && begin->first <= at + window; ++begin) {
             count_work(40);
-            const double far = apart(spots_[1][arc], spots_[0][begin->second]);
-            if (far <= one_place) {
+            const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
+            const double far = apart(end, start);
+            if (far <= one_place + end.noise + start.noise) {
                 matches.push_back({far, arc, begin->second});
             }
         }
@@ -265,8 +268,9 @@ private:
         chain.loop = loop;
         const size_t first = chain.arcs.front(), last = chain.arcs.back();
         if (!chain.closed) {
-            chain.nodes = {last_[first] == unmatched ? node_at(first, 0) : add_node(NodeKind::seam, spots_[0][first]),
-                           next_[last] == unmatched ? node_at(last, 1) : add_node(NodeKind::seam, spots_[1][last])};
+            chain.nodes = {
+                last_[first] == unmatched ? node_at(first, 0) : add_node(NodeKind::seam, spots_[0][first]),
+                next_[last] == unmatched ? node_at(last, 1) : add_node(NodeKind::seam, spots_[1][last])};
         }
         if (result_.chains.size() > begun) {
             go_on(result_.chains.back().nodes[1], chain.nodes[0]);

@@ -13,9 +13,9 @@ namespace {
 // A determinant that is smaller than this, in parts of the lengths of its columns, is none.
 constexpr double least_determinant = 1e-11;
 // What is above leaves directions so wide that nothing follows from them.
-constexpr double most_rho = 0.75;
+constexpr double most_rho = 0.6;
 // Of the places that a chart has to tell apart.
-constexpr double least_digits = 0x1p-10;
+constexpr double least_digits = 0x1p-6;
 
 std::array<size_t, 3> others_of(size_t k) noexcept {
     return {k == 0 ? size_t{1} : 0, k <= 1 ? size_t{2} : 1, k <= 2 ? size_t{3} : 2};
@@ -91,7 +91,8 @@ CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
     for (const size_t i : others_of(axis_)) {
         const CrossExtents of_a = a.along(rows_[i]), of_b = b.along(rows_[i]);
         count_work(30 * (std::ssize(of_a.slopes) + 24));
-        const double middle = dot(rows_[i], between), room = 2 * norms_[i] * near_ + 8 * eps * std::abs(middle);
+        const double middle = dot(rows_[i], between),
+                     room = 2 * norms_[i] * near_ + 8 * eps * std::abs(middle);
         if (middle + of_a.points.lower - of_b.points.upper > room ||
             middle + of_a.points.upper - of_b.points.lower < -room) {
             return Verdict::apart;

@@ -13,11 +13,11 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
-constexpr size_t most_flat = 512;       // pairs of one size within the tolerance of each other that are halved
+constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of each other that are halved
 constexpr size_t most_pairs = 1 << 16;
 constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
-constexpr double thick = 16;
+constexpr double thick = 4;
 
 bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
     const double room = a.piece().error + b.piece().error;
@@ -35,12 +35,13 @@ bool is_positive(const closest::PairCell &cell) noexcept {
 
 } // namespace
 
-CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends)
-    : grid(pieces::piece_grid_of(surface)), borders(ends), cells(surface, frame) {}
+CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
+                        const SideShifts &shifts_of_axes)
+    : ground(surface, ends, shifts_of_axes), cells(surface, frame) {}
 
 CrossCell &CrossSearch::Side::root(PairCell &cell) {
     if (cell.mark == 0) {
-        pieces.emplace_back(*cell.piece, grid, borders);
+        pieces.emplace_back(*cell.piece, ground);
         roots.push_back(&parts.emplace_back(pieces.back()));
         cell.mark = roots.size();
         count_work(work_of_a_kept_part);
@@ -50,7 +51,8 @@ CrossCell &CrossSearch::Side::root(PairCell &cell) {
 
 CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                          const SurfaceBorders &borders_b)
-    : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a), b_(b, frame_, borders_b) {}
+    : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a, side_shifts[0]),
+      b_(b, frame_, borders_b, side_shifts[1]) {}
 
 CrossParts CrossSearch::run(double tolerance) {
     tolerance_ = frame_.scaled(tolerance);
@@ -149,7 +151,8 @@ void CrossSearch::look(const Pair &pair) {
 
 // How far both reach on either side of a plane; less than 0: they are apart along its normal.
 double CrossSearch::thickness(const Pair &pair) const {
-    const Vector3 of_a = cross(pair.a->slope(0), pair.a->slope(1)), of_b = cross(pair.b->slope(0), pair.b->slope(1));
+    const Vector3 of_a = cross(pair.a->slope(0), pair.a->slope(1)),
+                  of_b = cross(pair.b->slope(0), pair.b->slope(1));
     double least = infinity;
     for (const Vector3 &normal : {of_a, of_b}) {
         const double size = length(normal);
@@ -231,8 +234,8 @@ void CrossSearch::add_unknown(const PairCell &a, const PairCell &b) {
             }
         }
     };
-    set(a, a_.grid, 0);
-    set(b, b_.grid, 2);
+    set(a, a_.ground.grid, 0);
+    set(b, b_.ground.grid, 2);
 }
 
 } // namespace nrb::intersect

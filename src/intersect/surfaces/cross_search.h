@@ -27,7 +27,8 @@ struct CrossParts {
 // curve or in a region ever more.
 class CrossSearch {
 public:
-    CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a, const SurfaceBorders &borders_b);
+    CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
+                const SurfaceBorders &borders_b);
 
     // tolerance: within which what is not told apart need not be. The cells that arcs are in last as long as the search.
     CrossParts run(double tolerance);
@@ -37,11 +38,11 @@ public:
 private:
     using PairCell = closest::PairCell;
     struct Side {
-        Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends);
+        Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
+             const SideShifts &shifts_of_axes);
         CrossCell &root(PairCell &cell);
 
-        const pieces::PieceGrid &grid;
-        const SurfaceBorders &borders;
+        CrossGround ground;
         closest::PairCells cells;
         std::deque<CrossPiece> pieces;
         std::deque<CrossCell> parts;

@@ -43,8 +43,8 @@ void CrossFitter::set_arc(const CrossArc &arc) {
         const size_t k = i % 2;
         slopes_[i] = cell.largest_slope(k);
         const Interval &range = cell.piece().range[k];
-        const double digits = 2 * eps * std::max(std::abs(range.lower), std::abs(range.upper)) /
-                              (range.upper - range.lower);
+        const double digits =
+            2 * eps * std::max(std::abs(range.lower), std::abs(range.upper)) / (range.upper - range.lower);
         const double shifted = cell.is_open(k, 0) || cell.is_open(k, 1) ? 2 * shift_of_sides : 0;
         rounding_ += slopes_[i] / cell.length(k) * (digits + shifted);
     }
@@ -53,8 +53,10 @@ void CrossFitter::set_arc(const CrossArc &arc) {
 // Their common point is what is midway between both.
 CrossFitter::Node CrossFitter::node(const CrossPlace &at) const noexcept {
     const CrossBox::Value value = arc_->box.at(at);
-    Node node{at, common_direction({value.a.slope[0], value.a.slope[1]}, {value.b.slope[0], value.b.slope[1]}),
-              coordinates(0.5 * (value.a.at + value.b.at)), {}};
+    Node node{at,
+              common_direction({value.a.slope[0], value.a.slope[1]}, {value.b.slope[0], value.b.slope[1]}),
+              coordinates(0.5 * (value.a.at + value.b.at)),
+              {}};
     const Vector3 along = node.tangent_on[0] * value.a.slope[0] + node.tangent_on[1] * value.a.slope[1];
     const double speed = length(along);
     for (double &x : node.tangent_on) {
@@ -97,8 +99,7 @@ CrossPlace CrossFitter::off_at(double difference) const noexcept {
     const CrossChart &chart = arc_->box.chart;
     CrossPlace off{};
     for (size_t i = 0; i < 4; ++i) {
-        off[i] = 1.0001 * difference *
-                 (chart.norm(i) + chart.rho(i) * chart.norm() / (1 - chart.rho()));
+        off[i] = 1.0001 * difference * (chart.norm(i) + chart.rho(i) * chart.norm() / (1 - chart.rho()));
     }
     return off;
 }
@@ -184,7 +185,8 @@ void CrossFitter::to_parameters(CrossSegment &segment) const noexcept {
             place = cell.in_piece(place.data());
             for (size_t k = 0; k < 2; ++k) {
                 const Interval &range = cell.piece().range[k];
-                place[k] = place[k] == 1 ? range.upper : range.lower * (1 - place[k]) + range.upper * place[k];
+                place[k] =
+                    place[k] == 1 ? range.upper : range.lower * (1 - place[k]) + range.upper * place[k];
             }
         }
     }

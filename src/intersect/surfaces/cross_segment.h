@@ -39,7 +39,8 @@ private:
     void set_arc(const CrossArc &arc);
     [[nodiscard]] Node node(const CrossPlace &at) const noexcept;
     void fit_between(const Node &a, const Node &b, int depth, std::vector<CrossSegment> &segments);
-    void divide(const Node &a, const Node &b, double deviation, int depth, std::vector<CrossSegment> &segments);
+    void divide(const Node &a, const Node &b, double deviation, int depth,
+                std::vector<CrossSegment> &segments);
     // In places of the parts.
     [[nodiscard]] CrossSegment hermite(const Node &a, const Node &b) const noexcept;
     void set_deviation(CrossSegment &segment);
