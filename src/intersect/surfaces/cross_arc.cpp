@@ -130,9 +130,9 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
     Interval range{box_->side(k, 0), box_->side(k, 1)};
     CrossPlace step = chart.step(box_->a->centre() - box_->b->centre());
     clip(z, step, range);
-    const double little = 4 * shift_of_sides / box_->cell(k).length(k % 2) + 16 * chart.norm() * chart.near();
+    const double little = 4 * shift_of_sides / box_->cell(k).length(k % 2) + 64 * chart.noise();
     for (int probe = 0; probe < most_probes; ++probe) {
-        if (!(range.upper - range.lower > little)) {
+        if (is_empty(range)) {
             return Verdict::nothing;
         }
         const double next = range.lower / 2 + range.upper / 2;
@@ -170,7 +170,7 @@ bool ArcFinder::find_end(double way, CrossEnd &end) const {
             end.side = side;
         }
     }
-    const double noise = 8 * (box_->chart.norm() * box_->chart.near() + eps); // sides meet in corners
+    const double noise = box_->chart.noise() + 8 * eps; // sides meet in corners
     CrossPlace start = inside_;
     for (size_t i = 0; i < 4; ++i) {
         start[i] = std::clamp(inside_[i] + first * unit * along[i], -widening, most_place);

@@ -6,6 +6,7 @@
 #include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "numeric/norm.h"
+#include "pieces/tree/patch_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,23 +24,33 @@ double dot3(const Vector3 &a, const double *b) noexcept {
     return a.x * b[0] + a.y * b[1] + a.z * b[2];
 }
 
-// Of Bernstein coefficients [degree + 1] those over the wide part, by the blossom: [degree + 1][degree + 1].
-std::vector<double> widening_matrix(int degree) {
+// Of Bernstein coefficients [degree + 1] those between two places: [degree + 1][degree + 1].
+std::vector<double> part_matrix(int degree, double lower, double upper) {
     const auto n = static_cast<size_t>(degree) + 1;
     std::vector<double> matrix(n * n);
-    std::array<double, max_degree + 1> unit{};
-    for (size_t j = 0; j < n; ++j) {
-        for (size_t r = 0; r < n; ++r) {
-            unit.fill(0);
-            unit[j] = 1;
-            for (size_t level = n - 1; level > 0; --level) {
-                casteljau_step(static_cast<int64_t>(level), 1, level > r ? -widening : 1 + widening,
-                               unit.data());
+    pieces::part_matrix(degree, lower, upper, matrix.data());
+    return matrix;
+}
+
+// The layers of a net with records, along an axis.
+AxisLayers layers_along(size_t axis, const std::array<int, 2> &degrees) noexcept {
+    constexpr auto record = static_cast<int64_t>(width);
+    return axis == 0 ? AxisLayers{1, degrees[0], (degrees[1] + 1) * record}
+                     : AxisLayers{degrees[0] + 1, degrees[1], record};
+}
+
+// The records of the derivative along an axis, which has a degree.
+std::vector<double> derivative(const AxisLayers &layers, double factor, const double *records) {
+    std::vector<double> result;
+    const auto inner = static_cast<size_t>(layers.inner);
+    for (int64_t o = 0; o < layers.outer; ++o, records += inner) {
+        for (int i = 0; i < layers.degree; ++i, records += inner) {
+            for (size_t c = 0; c < inner; ++c) {
+                result.push_back(factor * (records[inner + c] - records[c]));
             }
-            matrix[r * n + j] = unit[0];
         }
     }
-    return matrix;
+    return result;
 }
 
 void apply(const std::vector<double> &matrix, const AxisLayers &layers, const double *from, double *to) {
@@ -62,14 +73,17 @@ void apply(const std::vector<double> &matrix, const AxisLayers &layers, const do
 
 CrossGround::CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes)
     : grid(pieces::piece_grid_of(surface)), borders(ends),
-      shifts(of_axes), widenings{widening_matrix(surface.axis(0).degree()),
-                                 widening_matrix(surface.axis(1).degree())} {}
+      shifts(of_axes), widenings{part_matrix(surface.axis(0).degree(), -widening, 1 + widening),
+                                 part_matrix(surface.axis(1).degree(), -widening, 1 + widening)} {}
 
 CrossPiece::CrossPiece(pieces::BezierPiece made, const CrossGround &of)
     : ground(&of), piece(std::move(made)), degrees{piece.degree(0), piece.degree(1)}, shift(of.shifts) {
     const pieces::LocalParam first = piece.parameter({0, 0}), last = piece.parameter({1, 1});
     for (size_t k = 0; k < 2; ++k) {
         range[k] = {first[k], last[k]};
+    }
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        largest_weight = std::max(largest_weight, piece.weight(i));
     }
     error = piece.moved() + (2 * (degrees[0] + degrees[1]) + 8) * eps * piece.reach();
     set_sides(of.grid, of.borders);
@@ -179,8 +193,8 @@ bool CrossCell::prepare() {
     std::vector<double> wide(records_.size()), half(records_.size());
     const auto &[p, q] = piece_->degrees;
     const auto &widenings = piece_->ground->widenings;
-    apply(widenings[0], {1, p, (q + 1) * static_cast<int64_t>(width)}, records_.data(), half.data());
-    apply(widenings[1], {p + 1, q, static_cast<int64_t>(width)}, half.data(), wide.data());
+    apply(widenings[0], layers_along(0, piece_->degrees), records_.data(), half.data());
+    apply(widenings[1], layers_along(1, piece_->degrees), half.data(), wide.data());
     count_work((p + q + 8) * std::ssize(wide));
     weights_ = {infinity, 0};
     for (size_t i = 3; i < wide.size(); i += width) {
@@ -216,46 +230,73 @@ void CrossCell::set_wide(const std::vector<double> &records) {
         points_[3 * i + 2] = from.z;
         reach_ = std::max(reach_, numeric::length(from));
     }
-    // Each axis makes errors larger by the sum of the magnitudes of its means.
-    const auto &[p, q] = piece_->degrees;
-    const double ratio = weights_.upper / weights_.lower, amplified = std::pow(1 + 2 * widening, p + q);
-    error_ = piece_->error + (depth_ + 1) * std::max(p, q) * eps * piece_->piece.reach();
-    slope_error_ = 4 * std::max(p, q) * ratio * amplified * error_;
+    error_ = piece_->error +
+             (depth_ + 1) * std::max(piece_->degrees[0], piece_->degrees[1]) * eps * piece_->piece.reach();
     for (size_t k = 0; k < 2; ++k) {
         set_slopes(from_centre, k, turns[k]);
     }
+}
+
+// (w (S - centre))_k and w_k by places in the part, of one degree less along the axis. Of small parts differences have few
+// digits: those of the whole piece are taken then. Each axis makes errors larger by the sum of the magnitudes of its means.
+std::vector<double> CrossCell::derivatives(const std::vector<double> &records, size_t axis) {
+    constexpr double small = 0x1p-4;
+    std::array<int, 2> degrees = piece_->degrees;
+    const AxisLayers layers = layers_along(axis, degrees);
+    const double amplified =
+        4 * layers.degree * std::pow(1 + 2 * widening, degrees[0] + degrees[1]) / weights_.lower;
+    if (length_[axis] > small) {
+        slope_errors_[axis] = amplified * weights_.upper * error_;
+        return derivative(layers, layers.degree / (1 + 2 * widening), records.data());
+    }
+    slope_errors_[axis] = amplified * piece_->largest_weight * piece_->error * length_[axis];
+    std::vector<double> values = derivative(layers, layers.degree * length_[axis], piece_->piece.record(0)),
+                        part(values.size());
+    --degrees[axis];
+    for (size_t k = 0; k < 2; ++k) {
+        const double room = widening * length_[k];
+        apply(part_matrix(degrees[k], lower_[k] - room, lower_[k] + length_[k] + room),
+              layers_along(k, degrees), values.data(), part.data());
+        std::swap(values, part);
+    }
+    for (double *by = values.data(); by < values.data() + values.size(); by += width) {
+        by[0] -= by[3] * centre_.x;
+        by[1] -= by[3] * centre_.y;
+        by[2] -= by[3] * centre_.z;
+    }
+    return values;
 }
 
 // With N = (w (S - centre))_k and w_k raised to the degree of w, D = S_k in the middle and r = w_k / w there, the derivative is
 //     S_k = D + (N - D w - r w (S - centre) - (S - centre) (w_k - r w)) / w:
 // what is kept are the coefficients of the first three terms of the numerator, and the largest |w_k - r w|.
 void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, double turn) {
-    const auto &[p, q] = piece_->degrees;
-    const int degree = piece_->degrees[axis];
-    const double factor = degree / (1 + 2 * widening);
-    const size_t step = width * (axis == 0 ? static_cast<size_t>(q) + 1 : 1);
+    const AxisLayers layers = layers_along(axis, piece_->degrees);
+    const auto degree = static_cast<size_t>(layers.degree), inner = static_cast<size_t>(layers.inner);
+    const std::vector<double> lower = derivatives(records, axis);
     const std::array<double, width> middle{slope_[axis].x, slope_[axis].y, slope_[axis].z, turn};
     std::vector<double> &off = slopes_[axis];
     off.reserve(records.size() / width * 3);
-    double largest_turn = 0;
-    bends_[axis] = 0;
+    double largest_turn = 0, largest = 0;
     for (size_t at = 0; at < records.size(); at += width) {
-        const size_t i = at / step % (static_cast<size_t>(degree) + 1);
-        const double share = static_cast<double>(i) / degree, *own = &records[at];
+        const size_t i = at / inner % (degree + 1), outer = at / inner / (degree + 1);
+        const double *above = lower.data() + (outer * degree + i) * inner + at % inner;
+        const double share = static_cast<double>(i) / static_cast<double>(degree), *own = &records[at];
         std::array<double, width> by{};
         for (size_t c = 0; c < width; ++c) {
-            by[c] = factor * ((i > 0 ? share * (own[c] - (own - step)[c]) : 0) +
-                              (share < 1 ? (1 - share) * ((own + step)[c] - own[c]) : 0));
+            by[c] = (i > 0 ? share * (above - inner)[c] : 0) + (i < degree ? (1 - share) * above[c] : 0);
         }
         for (size_t c = 0; c < 3; ++c) {
             off.push_back(by[c] - middle[c] * own[3] - turn * own[c]);
-            bends_[axis] = std::max(bends_[axis], std::abs(off.back()));
+            largest = std::max(largest, std::abs(off.back()));
         }
         largest_turn = std::max(largest_turn, std::abs(by[3] - turn * own[3]));
     }
     turns_[axis] = 1.0001 * largest_turn;
-    bends_[axis] =
-        (bends_[axis] + reach_ * turns_[axis]) / weights_.upper + little_bend * numeric::length(slope_[axis]);
+    const double length = numeric::length(slope_[axis]);
+    bends_[axis] = (largest + reach_ * turns_[axis]) / weights_.upper + little_bend * length;
+    slope_errors_[axis] +=
+        weights_.upper / weights_.lower * (16 * eps * (length + reach_) + std::abs(turn) * error_);
 }
 
 Interval CrossCell::points_along(const Vector3 &vector) const noexcept {
@@ -270,7 +311,7 @@ Interval CrossCell::points_along(const Vector3 &vector) const noexcept {
 CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
     CrossExtents extents{points_along(vector), {}};
     const double far = std::max(std::abs(extents.points.lower), std::abs(extents.points.upper)),
-                 room = numeric::length(vector) * slope_error_;
+                 size = numeric::length(vector);
     const double least = 1 / weights_.upper, most = 1 / weights_.lower;
     for (size_t k = 0; k < 2; ++k) {
         Interval range{infinity, -infinity};
@@ -279,7 +320,7 @@ CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
             range = {std::min(range.lower, x), std::max(range.upper, x)};
         }
         range = {range.lower - far * turns_[k], range.upper + far * turns_[k]};
-        const double middle = dot(vector, slope_[k]);
+        const double middle = dot(vector, slope_[k]), room = size * slope_errors_[k];
         extents.slopes[k] = {middle + range.lower * (range.lower < 0 ? most : least) - room,
                              middle + range.upper * (range.upper < 0 ? least : most) + room};
     }
@@ -291,8 +332,8 @@ double CrossCell::largest_slope(size_t axis) const noexcept {
     for (size_t i = 0; i < slopes_[axis].size(); i += 3) {
         most = std::max(most, norm(&slopes_[axis][i], 3));
     }
-    return 1.0001 *
-           (numeric::length(slope_[axis]) + (most + reach_ * turns_[axis]) / weights_.lower + slope_error_);
+    return 1.0001 * (numeric::length(slope_[axis]) + (most + reach_ * turns_[axis]) / weights_.lower +
+                     slope_errors_[axis]);
 }
 
 size_t CrossCell::axis_of_halves() const noexcept {
@@ -313,9 +354,7 @@ bool CrossCell::split(std::deque<CrossCell> &all) {
     if (piece_->degrees[axis] == 0 || length_[axis] <= least_length) {
         return false;
     }
-    const auto &[p, q] = piece_->degrees;
-    const AxisLayers layers = axis == 0 ? AxisLayers{1, p, (q + 1) * static_cast<int64_t>(width)}
-                                        : AxisLayers{p + 1, q, static_cast<int64_t>(width)};
+    const AxisLayers layers = layers_along(axis, piece_->degrees);
     std::vector<double> upper = records_, lower(upper.size());
     subdivide(layers, 0.5, upper.data(), lower.data());
     halves_[1] = &all.emplace_back(*this, axis, 1, std::move(upper));

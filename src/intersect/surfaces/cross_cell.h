@@ -57,7 +57,8 @@ struct CrossPiece {
     std::array<std::array<bool, 2>, 2> open{};     // [axis][end]: the surface ends there
     std::array<std::array<double, 2>, 2> shifts{}; // [axis][end], of the sides of its box, by places
     SideShifts shift{};                            // the same of sides inside of the piece
-    double error = 0;                              // of points that are evaluated
+    double largest_weight = 0;
+    double error = 0; // of points that are evaluated
 
 private:
     void set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &borders);
@@ -115,6 +116,7 @@ public:
 private:
     void set_box();
     void set_wide(const std::vector<double> &records);
+    [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
     void set_slopes(const std::vector<double> &records, size_t axis, double turn);
     [[nodiscard]] size_t axis_of_halves() const noexcept;
 
@@ -130,7 +132,8 @@ private:
     std::array<std::vector<double>, 2> slopes_; // of set_slopes()
     std::array<double, 2> turns_{}, bends_{};   // of weights; how much derivatives change
     Interval weights_{1, 1};
-    double error_ = 0, reach_ = 0, slope_error_ = 0;
+    double error_ = 0, reach_ = 0;
+    std::array<double, 2> slope_errors_{};
     Vector3 centre_;
     std::array<Vector3, 2> slope_;
     std::array<CrossCell *, 2> halves_{};

@@ -34,7 +34,7 @@ CrossSpot spot_of(const CrossArc &arc, const CrossPlace &at) noexcept {
         const double x = cell.lower(k) + cell.length(k) * at[i];
         spot.index[i] = piece.index[k];
         spot.place[i] = piece.within[k].lower + (piece.within[k].upper - piece.within[k].lower) * x;
-        spot.noise = std::max(spot.noise, 16 * arc.box.chart.norm() * arc.box.chart.near() * cell.length(k));
+        spot.noise = std::max(spot.noise, arc.box.chart.noise() * cell.length(k));
         spot.parameter[i] = piece.range[k].lower * (1 - x) + piece.range[k].upper * x;
     }
     return spot;

@@ -15,7 +15,7 @@ constexpr double least_determinant = 1e-11;
 // What is above leaves directions so wide that nothing follows from them.
 constexpr double most_rho = 0.6;
 // Of the places that a chart has to tell apart.
-constexpr double least_digits = 0x1p-6;
+constexpr double least_digits = 0x1p-4;
 
 std::array<size_t, 3> others_of(size_t k) noexcept {
     return {k == 0 ? size_t{1} : 0, k <= 1 ? size_t{2} : 1, k <= 2 ? size_t{3} : 2};

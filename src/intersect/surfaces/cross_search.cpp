@@ -17,7 +17,7 @@ constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of 
 constexpr size_t most_pairs = 1 << 16;
 constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
-constexpr double thick = 4;
+constexpr double thick = 2;
 
 bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
     const double room = a.piece().error + b.piece().error;
