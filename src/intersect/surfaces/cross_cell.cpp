@@ -183,6 +183,8 @@ void CrossCell::set_box() {
     for (const Interval &side : box_) {
         size_ = std::max(size_, side.upper - side.lower);
     }
+    const double halving = std::max(piece_->degrees[0], piece_->degrees[1]) * eps * piece_->piece.reach();
+    error_ = piece_->error + (depth_ + 1) * halving;
     count_work(8 * std::ssize(records_));
 }
 
@@ -230,8 +232,6 @@ void CrossCell::set_wide(const std::vector<double> &records) {
         points_[3 * i + 2] = from.z;
         reach_ = std::max(reach_, numeric::length(from));
     }
-    error_ = piece_->error +
-             (depth_ + 1) * std::max(piece_->degrees[0], piece_->degrees[1]) * eps * piece_->piece.reach();
     for (size_t k = 0; k < 2; ++k) {
         set_slopes(from_centre, k, turns[k]);
     }

@@ -96,6 +96,8 @@ public:
     // The box of the control points, and its largest side.
     [[nodiscard]] const std::array<Interval, 3> &box() const noexcept { return box_; }
     [[nodiscard]] double size() const noexcept { return size_; }
+    // Of control points, which each halving makes a little larger.
+    [[nodiscard]] double error() const noexcept { return error_; }
 
     // What follows is of the wide part; false: its weights are not positive.
     bool prepare();
@@ -106,7 +108,6 @@ public:
     // Of derivatives by places in the part.
     [[nodiscard]] double largest_slope(size_t axis) const noexcept;
     [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
-    [[nodiscard]] double error() const noexcept { return error_; } // of its points
 
     // Its halves along an axis that is always the same; false: it is too small. Of an axis without a degree
     // there are none.

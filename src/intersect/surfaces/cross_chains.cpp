@@ -48,7 +48,7 @@ public:
 
     CrossChains run() {
         set_spots();
-        match();
+        match_all();
         add_clusters();
         for (const bool closed : {false, true}) {
             for (size_t arc = 0; arc < next_.size(); ++arc) {
@@ -111,19 +111,25 @@ private:
         return least;
     }
 
+    // First in the same places, then what noise, or an arc that is a place, is between.
+    void match_all() {
+        for (const double wide : {1.0, 16.0}) {
+            match(wide);
+        }
+    }
     // Pairs of an end and a beginning, the nearest ones first.
-    void match() {
+    void match(double wide) {
         std::vector<std::pair<double, size_t>> begins;
         for (size_t arc = 0; arc < next_.size(); ++arc) {
-            if (!taken_[arc] && !found_.arcs[arc].ends[0].open) {
+            if (!taken_[arc] && last_[arc] == unmatched && !found_.arcs[arc].ends[0].open) {
                 begins.emplace_back(key(spots_[0][arc]), arc);
             }
         }
         std::ranges::sort(begins);
         std::vector<Match> matches;
         for (size_t arc = 0; arc < next_.size(); ++arc) {
-            if (!taken_[arc] && !found_.arcs[arc].ends[1].open) {
-                add_matches(arc, begins, matches);
+            if (!taken_[arc] && next_[arc] == unmatched && !found_.arcs[arc].ends[1].open) {
+                add_matches(arc, wide, begins, matches);
             }
         }
         std::ranges::sort(matches, {}, [](const Match &m) { return std::tuple(m.apart, m.from, m.to); });
@@ -140,7 +146,7 @@ private:
                      n = static_cast<double>(count(0));
         return wraps(0) && at >= n - window ? at - n : at;
     }
-    void add_matches(size_t arc, const std::vector<std::pair<double, size_t>> &begins,
+    void add_matches(size_t arc, double wide, const std::vector<std::pair<double, size_t>> &begins,
                      std::vector<Match> &matches) const {
         const double at = key(spots_[1][arc]);
         auto begin = std::ranges::lower_bound(begins, std::pair(at - window, size_t{0}));
@@ -148,7 +154,7 @@ private:
             count_work(40);
             const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
             const double far = apart(end, start);
-            if (far <= one_place + end.noise + start.noise) {
+            if (far <= wide * (one_place + end.noise + start.noise)) {
                 matches.push_back({far, arc, begin->second});
             }
         }

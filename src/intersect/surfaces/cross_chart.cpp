@@ -79,7 +79,7 @@ bool CrossChart::set_rows(const CrossCell &a, const CrossCell &b) {
 }
 
 CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
-    near_ = 1.01 * (a.error() + b.error());
+    near_ = 1.01 * (a.piece().error + b.piece().error);
     count_work(400);
     has_rows_ = set_rows(a, b);
     if (!has_rows_) {
@@ -92,7 +92,7 @@ CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
         const CrossExtents of_a = a.along(rows_[i]), of_b = b.along(rows_[i]);
         count_work(30 * (std::ssize(of_a.slopes) + 24));
         const double middle = dot(rows_[i], between),
-                     room = 2 * norms_[i] * near_ + 8 * eps * std::abs(middle);
+                     room = 2 * norms_[i] * (a.error() + b.error()) + 8 * eps * std::abs(middle);
         if (middle + of_a.points.lower - of_b.points.upper > room ||
             middle + of_a.points.upper - of_b.points.lower < -room) {
             return Verdict::apart;

@@ -20,7 +20,7 @@ constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 constexpr double thick = 2;
 
 bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
-    const double room = a.piece().error + b.piece().error;
+    const double room = a.error() + b.error();
     for (size_t c = 0; c < 3; ++c) {
         if (a.box()[c].lower - b.box()[c].upper > room || b.box()[c].lower - a.box()[c].upper > room) {
             return true;
@@ -173,7 +173,7 @@ double CrossSearch::thickness(const Pair &pair) const {
 }
 
 void CrossSearch::look_at_flat(const Pair &pair) {
-    const double thickness = this->thickness(pair), error = pair.a->error() + pair.b->error();
+    const double thickness = this->thickness(pair), error = pair.a->piece().error + pair.b->piece().error;
     if (thickness < 0) {
         return;
     }
