@@ -121,6 +121,21 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, Interval &ran
     }
 }
 
+// How far zeros of the box may be apart, along coordinate k, that are all but on two sides at once, for what sides are
+// shifted by and rounding leaves open.
+double ArcFinder::little() const {
+    const CrossChart &chart = box_->chart;
+    const size_t k = chart.axis();
+    double noise = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        const Interval &rise = chart.rise(i);
+        if (i != k && (rise.lower > 0 || rise.upper < 0)) {
+            noise = std::max(noise, chart.norm(i) / std::min(std::abs(rise.lower), std::abs(rise.upper)));
+        }
+    }
+    return 4 * shift_of_sides / box_->cell(k).length(k % 2) + std::min(64 * noise * chart.near(), 1.0);
+}
+
 // A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by or rounding
 // can tell, is nothing: arcs of the neighbours go on in each other there.
 std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
@@ -130,7 +145,7 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
     Interval range{box_->side(k, 0), box_->side(k, 1)};
     CrossPlace step = chart.step(box_->a->centre() - box_->b->centre());
     clip(z, step, range);
-    const double little = 4 * shift_of_sides / box_->cell(k).length(k % 2) + 64 * chart.noise();
+    const double little = this->little();
     for (int probe = 0; probe < most_probes; ++probe) {
         if (is_empty(range)) {
             return Verdict::nothing;
@@ -170,7 +185,7 @@ bool ArcFinder::find_end(double way, CrossEnd &end) const {
             end.side = side;
         }
     }
-    const double noise = box_->chart.noise() + 8 * eps; // sides meet in corners
+    const double noise = box_->chart.norm() * box_->chart.near() + 8 * eps; // sides meet in corners
     CrossPlace start = inside_;
     for (size_t i = 0; i < 4; ++i) {
         start[i] = std::clamp(inside_[i] + first * unit * along[i], -widening, most_place);

@@ -57,6 +57,7 @@ public:
 
 private:
     std::optional<Verdict> find_inside();
+    [[nodiscard]] double little() const;
     // Leaves of [first, last], along coordinate k, what zeros of the box may have: z0 is any place with the step M F there.
     void clip(const CrossPlace &z0, const CrossPlace &step, Interval &range) const;
     bool find_end(double way, CrossEnd &end) const;

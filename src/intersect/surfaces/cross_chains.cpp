@@ -22,19 +22,42 @@ constexpr size_t unmatched = static_cast<size_t>(-1);
 struct CrossSpot {
     std::array<int64_t, 4> index{};
     std::array<double, 4> place{}, parameter{};
-    double noise = 0; // of places
+    std::array<double, 4> noise{}; // of places
 };
 
-CrossSpot spot_of(const CrossArc &arc, const CrossPlace &at) noexcept {
+// How far places of an end differ that are found in different boxes: as much as rounding makes of them, which is a small part
+// of its bounds. On a side the coordinate k is off by what that makes of the way to the side.
+CrossPlace noise_of(const CrossChart &chart, const CrossEnd &end) noexcept {
+    constexpr double part = 0.25;
+    const size_t k = chart.axis();
+    CrossPlace noise{};
+    for (size_t i = 0; i < 4; ++i) {
+        noise[i] = i == k ? 0 : part * chart.norm(i) * chart.near();
+    }
+    if (end.coordinate != k) {
+        const Interval &rise = chart.rise(end.coordinate);
+        noise[k] = noise[end.coordinate] / std::min(std::abs(rise.lower), std::abs(rise.upper));
+        for (size_t i = 0; i < 4; ++i) {
+            noise[i] +=
+                i == k ? 0
+                       : std::max(std::abs(chart.rise(i).lower), std::abs(chart.rise(i).upper)) * noise[k];
+        }
+    }
+    return noise;
+}
+
+CrossSpot spot_of(const CrossArc &arc, const CrossEnd &end) noexcept {
     CrossSpot spot;
+    const CrossPlace noise = noise_of(arc.box.chart, end);
     for (size_t i = 0; i < 4; ++i) {
         const CrossCell &cell = arc.box.cell(i);
         const CrossPiece &piece = cell.piece();
         const size_t k = i % 2;
-        const double x = cell.lower(k) + cell.length(k) * at[i];
+        const double x = cell.lower(k) + cell.length(k) * end.at[i];
+        const double part = piece.within[k].upper - piece.within[k].lower;
         spot.index[i] = piece.index[k];
-        spot.place[i] = piece.within[k].lower + (piece.within[k].upper - piece.within[k].lower) * x;
-        spot.noise = std::max(spot.noise, arc.box.chart.noise() * cell.length(k));
+        spot.place[i] = piece.within[k].lower + part * x;
+        spot.noise[i] = part * cell.length(k) * noise[i];
         spot.parameter[i] = piece.range[k].lower * (1 - x) + piece.range[k].upper * x;
     }
     return spot;
@@ -81,21 +104,23 @@ private:
     void set_spots() {
         for (size_t arc = 0; arc < found_.arcs.size(); ++arc) {
             for (size_t end = 0; end < 2; ++end) {
-                spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end].at));
+                spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end]));
             }
-            taken_[arc] = apart(spots_[0][arc], spots_[1][arc]) <= no_length + spots_[0][arc].noise;
+            taken_[arc] = apart(spots_[0][arc], spots_[1][arc], no_length) <= 1;
         }
     }
 
-    [[nodiscard]] double apart(const CrossSpot &a, const CrossSpot &b) const noexcept {
+    // In parts of a room and of the noise of both.
+    [[nodiscard]] double apart(const CrossSpot &a, const CrossSpot &b, double room) const noexcept {
+        constexpr double far = 64;
         double most = 0;
-        for (size_t i = 0; i < 4 && most < 1; ++i) {
-            most = std::max(most, apart(a, b, i));
+        for (size_t i = 0; i < 4 && most < far; ++i) {
+            most = std::max(most, apart_along(a, b, i) / (room + a.noise[i] + b.noise[i]));
         }
         return most;
     }
     // Of pieces side by side in parts of the smaller one.
-    [[nodiscard]] double apart(const CrossSpot &a, const CrossSpot &b, size_t i) const noexcept {
+    [[nodiscard]] double apart_along(const CrossSpot &a, const CrossSpot &b, size_t i) const noexcept {
         const double x = a.place[i], y = b.place[i];
         double least = a.index[i] == b.index[i] ? std::abs(x - y) : infinity;
         const auto beside = [&](const CrossSpot &lower, const CrossSpot &upper) {
@@ -153,8 +178,8 @@ private:
         for (; begin != begins.end() && begin->first <= at + window; ++begin) {
             count_work(40);
             const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
-            const double far = apart(end, start);
-            if (far <= wide * (one_place + end.noise + start.noise)) {
+            const double far = apart(end, start, one_place);
+            if (far <= wide) {
                 matches.push_back({far, arc, begin->second});
             }
         }

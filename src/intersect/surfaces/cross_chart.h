@@ -44,8 +44,6 @@ public:
     [[nodiscard]] bool first_bends_more() const noexcept { return first_bends_more_; }
     // How far values of F may be off.
     [[nodiscard]] double near() const noexcept { return near_; }
-    // How far places of zeros differ that are found in different boxes: about as much, while near() is more than rounding makes.
-    [[nodiscard]] double noise() const noexcept { return most_norm_ * near_ / 4; }
     // 1 if the way along N_b x N_a has a rising coordinate k, else -1.
     [[nodiscard]] int direction() const noexcept { return direction_; }
 
