@@ -133,7 +133,7 @@ double ArcFinder::little() const {
             noise = std::max(noise, chart.norm(i) / std::min(std::abs(rise.lower), std::abs(rise.upper)));
         }
     }
-    return 4 * shift_of_sides / box_->cell(k).length(k % 2) + std::min(64 * noise * chart.near(), 1.0);
+    return 4 * shift_of_sides / box_->cell(k).length(k % 2) + std::min(32 * noise * chart.near(), 0.25);
 }
 
 // A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by or rounding

@@ -169,11 +169,11 @@ private:
     [[nodiscard]] double key(const CrossSpot &spot) const noexcept {
         const double at = static_cast<double>(spot.index[0]) + spot.place[0],
                      n = static_cast<double>(count(0));
-        return wraps(0) && at >= n - window ? at - n : at;
+        return wraps(0) && at >= n - one_place ? at - n : at;
     }
     void add_matches(size_t arc, double wide, const std::vector<std::pair<double, size_t>> &begins,
                      std::vector<Match> &matches) const {
-        const double at = key(spots_[1][arc]);
+        const double at = key(spots_[1][arc]), window = 64 * (one_place + spots_[1][arc].noise[0]);
         auto begin = std::ranges::lower_bound(begins, std::pair(at - window, size_t{0}));
         for (; begin != begins.end() && begin->first <= at + window; ++begin) {
             count_work(40);
@@ -312,8 +312,6 @@ private:
         result_.nodes[static_cast<size_t>(from)].next = to;
         result_.nodes[static_cast<size_t>(to)].next = from;
     }
-
-    static constexpr double window = 1e-7; // of keys
 
     std::array<const CrossSurface *, 2> surfaces_;
     const CrossParts &found_;
