@@ -2,6 +2,7 @@
 #include "intersect/surfaces/cross_curve.h"
 
 #include "base/numbers.h"
+#include "numeric/norm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,9 @@ private:
             }
         }
         if (closed_) {
-            segments_.back().space[3] = segments_.front().space[0];
+            CrossSegment &first = segments_.front(), &last = segments_.back();
+            last.deviation += distance(last.space[3].data(), first.space[0].data(), 3);
+            last.space[3] = first.space[0];
         }
     }
     [[nodiscard]] double in_domain(double at, size_t surface, size_t axis) const noexcept {
@@ -85,11 +88,19 @@ private:
         const int k = static_cast<int>(axis);
         return std::clamp(at, grid.break_at(k, 0), grid.break_at(k, grid.count(k)));
     }
+    // What that moves is of the order of rounding, but for what kinks make of shifted sides, and where surfaces all but touch.
     static void begin_where_ends(const CrossSegment &before, CrossSegment &after) noexcept {
+        double moved = distance(before.space[3].data(), after.space[0].data(), 3);
         after.space[0] = before.space[3];
         for (size_t s = 0; s < 2; ++s) {
+            double on = 0;
+            for (size_t k = 0; k < 2; ++k) {
+                on += after.slopes[2 * s + k] * std::abs(before.on[s][3][k] - after.on[s][0][k]);
+            }
+            moved = std::max(moved, on);
             after.on[s][0] = before.on[s][3];
         }
+        after.deviation += moved;
     }
     static bool goes_on(const CrossSegment &a, const CrossSegment &b) noexcept {
         return is_continued(a.on[0], a.length, b.on[0], b.length) &&

@@ -121,20 +121,39 @@ double CrossFitter::largest_gap(const CrossSegment &segment, size_t surface) {
            cell.least_weight();
 }
 
-// The zero with the same coordinate k is there if places are inside of the wide parts by more than they are off.
+// The arc has a zero for each value of coordinate k between those of its ends, in the box: so that no place is farther from it
+// than from all of the box.
+bool CrossFitter::limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept {
+    const CrossBox &box = arc_->box;
+    const size_t axis = box.chart.axis();
+    const auto [first, last] = std::minmax({arc_->ends[0].at[axis], arc_->ends[1].at[axis]});
+    for (size_t i = 0; i < 4; ++i) {
+        const size_t k = i % 2;
+        const double room = 64 * shift_of_sides / box.cell(i).length(k);
+        const Interval range =
+            i == axis ? Interval{first - room, last + room} : Interval{-widening, 1 + widening};
+        double farthest = 0;
+        for (const std::array<double, 2> &place : segment.on[i / 2]) {
+            if (!(place[k] >= range.lower && place[k] <= range.upper)) {
+                return false;
+            }
+            farthest = std::max({farthest, place[k] - box.side(i, 0), box.side(i, 1) - place[k]});
+        }
+        off[i] = std::min(off[i], farthest);
+    }
+    return true;
+}
+
 void CrossFitter::set_deviation(CrossSegment &segment) {
     const std::array<double, 2> gaps{largest_gap(segment, 0), largest_gap(segment, 1)};
-    const CrossPlace off = off_at(gaps[0] + gaps[1] + arc_->box.chart.near());
-    bool inside = true;
-    for (size_t i = 0; i < 4; ++i) {
-        for (const std::array<double, 2> &place : segment.on[i / 2]) {
-            inside = inside && place[i % 2] - off[i] >= -widening && place[i % 2] + off[i] <= 1 + widening;
-        }
+    CrossPlace off = off_at(gaps[0] + gaps[1] + arc_->box.chart.near());
+    if (!limit_to_box(segment, off)) {
+        segment.deviation = infinity;
+        return;
     }
     const double on_a = moved_by(off, 0), on_b = moved_by(off, 1),
                  in_space = std::min(gaps[0] + on_a, gaps[1] + on_b);
-    segment.deviation =
-        inside ? std::max({on_a, on_b, in_space}) + rounding_ + arc_->box.chart.near() : infinity;
+    segment.deviation = std::max({on_a, on_b, in_space}) + rounding_ + arc_->box.chart.near();
 }
 
 void CrossFitter::fit_between(const Node &a, const Node &b, int depth, std::vector<CrossSegment> &segments) {
@@ -149,6 +168,12 @@ void CrossFitter::fit_between(const Node &a, const Node &b, int depth, std::vect
         return;
     }
     to_parameters(segment);
+    segment.slopes = slopes_;
+    for (size_t i = 0; i < 4; ++i) {
+        const CrossCell &cell = arc_->box.cell(i);
+        const Interval &range = cell.piece().range[i % 2];
+        segment.slopes[i] /= cell.length(i % 2) * (range.upper - range.lower);
+    }
     segments.push_back(segment);
     --left_;
 }

@@ -15,7 +15,8 @@ struct CrossSegment {
     double length = 0;
     std::array<std::array<std::array<double, 2>, 4>, 2> on{};
     std::array<std::array<double, 3>, 4> space{};
-    double deviation = 0; // of all three, in space, from the common curve
+    double deviation = 0;           // of all three, in space, from the common curve
+    std::array<double, 4> slopes{}; // the largest ones around, by parameters
 };
 
 // With points, and tangents of length 1 in space, at both ends (Hermite). The differences of the curve in space from each
@@ -44,6 +45,7 @@ private:
     // In places of the parts.
     [[nodiscard]] CrossSegment hermite(const Node &a, const Node &b) const noexcept;
     void set_deviation(CrossSegment &segment);
+    bool limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept;
     // Of places at which |F| is no larger: how far they are off by coordinates, and the surfaces over them in space.
     [[nodiscard]] CrossPlace off_at(double difference) const noexcept;
     [[nodiscard]] double moved_by(const CrossPlace &off, size_t surface) const noexcept;
