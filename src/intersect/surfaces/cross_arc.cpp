@@ -87,7 +87,7 @@ bool CrossBox::solve(size_t fixed, CrossPlace &z) const {
     return false;
 }
 
-void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, Interval &range) const {
+void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, double near, Interval &range) const {
     const CrossChart &chart = box_->chart;
     const size_t k = chart.axis();
     double fastest = 0, farthest = 0;
@@ -98,8 +98,8 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, Interval &ran
         }
     }
     const double far = std::max(std::abs(range.lower - z0[k]), std::abs(range.upper - z0[k]));
-    const double reach = std::min(
-        farthest, 1.0001 * (largest(step) + chart.norm() * chart.near() + fastest * far) / (1 - chart.rho()));
+    const double reach = std::min(farthest, 1.0001 * (largest(step) + chart.norm() * near + fastest * far) /
+                                                (1 - chart.rho()));
     std::array<Interval, 2> halves{Interval{range.lower, std::min(range.upper, z0[k])},
                                    Interval{std::max(range.lower, z0[k]), range.upper}};
     for (size_t h = 0; h < 2; ++h) {
@@ -107,7 +107,7 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, Interval &ran
             if (i == k) {
                 continue;
             }
-            const double room = chart.rho(i) * reach + chart.norm(i) * chart.near() + 8 * eps;
+            const double room = chart.rho(i) * reach + chart.norm(i) * near + 8 * eps;
             const double at = z0[i] - step[i];
             const double low = -chart.shift(i).upper, high = -chart.shift(i).lower;
             keep_where_positive(at + room - box_->side(i, 0), h == 1 ? high : low, z0[k], halves[h]);
@@ -121,31 +121,18 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, Interval &ran
     }
 }
 
-// How far zeros of the box may be apart, along coordinate k, that are all but on two sides at once, for what sides are
-// shifted by and rounding leaves open.
-double ArcFinder::little() const {
-    const CrossChart &chart = box_->chart;
-    const size_t k = chart.axis();
-    double noise = 0;
-    for (size_t i = 0; i < 4; ++i) {
-        const Interval &rise = chart.rise(i);
-        if (i != k && (rise.lower > 0 || rise.upper < 0)) {
-            noise = std::max(noise, chart.norm(i) / std::min(std::abs(rise.lower), std::abs(rise.upper)));
-        }
-    }
-    return 4 * shift_of_sides / box_->cell(k).length(k % 2) + std::min(32 * noise * chart.near(), 0.25);
-}
-
-// A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by or rounding
-// can tell, is nothing: arcs of the neighbours go on in each other there.
+// A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by, is
+// nothing: arcs of the neighbours go on in each other there. So is what is in the box by rounding alone of a curve that is known
+// beside it: bounds of rounding are far larger than what it makes of places, and boxes near touches have many sides that are no
+// farther away than these.
 std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
     const CrossChart &chart = box_->chart;
     const size_t k = chart.axis();
     CrossPlace z{0.5, 0.5, 0.5, 0.5};
     Interval range{box_->side(k, 0), box_->side(k, 1)};
     CrossPlace step = chart.step(box_->a->centre() - box_->b->centre());
-    clip(z, step, range);
-    const double little = this->little();
+    clip(z, step, chart.near(), range);
+    const double little = 4 * shift_of_sides / box_->cell(k).length(k % 2);
     for (int probe = 0; probe < most_probes; ++probe) {
         if (is_empty(range)) {
             return Verdict::nothing;
@@ -162,7 +149,7 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
             inside_ = z;
             return std::nullopt;
         }
-        clip(z, step, range);
+        clip(z, step, found ? 0 : chart.near(), range);
     }
     return range.upper - range.lower > little ? Verdict::open : Verdict::nothing;
 }

@@ -57,9 +57,9 @@ public:
 
 private:
     std::optional<Verdict> find_inside();
-    [[nodiscard]] double little() const;
-    // Leaves of [first, last], along coordinate k, what zeros of the box may have: z0 is any place with the step M F there.
-    void clip(const CrossPlace &z0, const CrossPlace &step, Interval &range) const;
+    // Leaves of a range of coordinate k what zeros of the box may have, where values of F are off by `near`; z0: any place, with the step
+    // M F there.
+    void clip(const CrossPlace &z0, const CrossPlace &step, double near, Interval &range) const;
     bool find_end(double way, CrossEnd &end) const;
     void move_to_border(CrossEnd &end) const;
     [[nodiscard]] bool stays(size_t coordinate) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -185,7 +186,7 @@ private:
         }
     }
 
-    // Those that touch on the first surface are one node.
+    // Those that touch on the first surface are one node, with those that are no farther from it than it is large.
     void add_clusters() {
         std::vector<ParameterRanges> ranges;
         for (const CrossCluster &cluster : found_.clusters) {
@@ -195,14 +196,47 @@ private:
              touching_groups(ranges, surfaces_[0]->grid, surfaces_[0]->borders)) {
             std::array<Interval, 4> all = found_.clusters[group.front()].ranges;
             for (const size_t member : group) {
-                for (size_t i = 0; i < 4; ++i) {
-                    const Interval &own = found_.clusters[member].ranges[i];
-                    all[i] = {std::min(all[i].lower, own.lower), std::max(all[i].upper, own.upper)};
-                }
+                enclose(found_.clusters[member].ranges, all);
             }
             groups_.push_back(all);
-            add_node(NodeKind::undecided, all);
         }
+        std::ranges::sort(groups_, std::ranges::greater(), size_of);
+        absorb();
+        for (const std::array<Interval, 4> &group : groups_) {
+            add_node(NodeKind::undecided, group);
+        }
+    }
+    static double size_of(const std::array<Interval, 4> &ranges) noexcept {
+        return std::max(ranges[0].upper - ranges[0].lower, ranges[1].upper - ranges[1].lower);
+    }
+    static void enclose(const std::array<Interval, 4> &own, std::array<Interval, 4> &all) noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            all[i] = {std::min(all[i].lower, own[i].lower), std::max(all[i].upper, own[i].upper)};
+        }
+    }
+    // Larger ones come first.
+    void absorb() {
+        constexpr size_t most = 256; // of what is looked at in all pairs
+        for (size_t i = 0; i < std::min(groups_.size(), most); ++i) {
+            for (size_t j = i + 1; j < std::min(groups_.size(), most); ++j) {
+                count_work(20);
+                if (are_near(groups_[i], groups_[j])) {
+                    enclose(groups_[j], groups_[i]);
+                    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(j));
+                    j = i;
+                }
+            }
+        }
+    }
+    static bool are_near(const std::array<Interval, 4> &large,
+                         const std::array<Interval, 4> &small) noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = 2 * (large[i].upper - large[i].lower);
+            if (!(small[i].lower <= large[i].upper + room && small[i].upper >= large[i].lower - room)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     int64_t add_node(NodeKind kind, const std::array<Interval, 4> &ranges) {
@@ -240,10 +274,13 @@ private:
         }
         return add_node(NodeKind::undecided, spot);
     }
-    // With what sides are shifted by, and what seams move.
+    // With what sides are shifted by, and what seams move. Around parts in which arcs are not told apart there are some in which
+    // rounding hides them.
     [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
-            const double room = one_place * length(i, spot.index[i]), at = spot.parameter[i];
+            const double room = (one_place + 16 * spot.noise[i]) * length(i, spot.index[i]) +
+                                ranges[i].upper - ranges[i].lower,
+                         at = spot.parameter[i];
             const double period = wraps(i) ? surfaces_[i / 2]->borders.period(i % 2) : 0;
             bool in = false;
             for (const double x : {at, at - period, at + period}) {

@@ -97,7 +97,7 @@ void CrossSearch::look_at(PairCell &a, PairCell &b) {
         }
     }
     if (is_positive(a) && is_positive(b)) {
-        pairs_.push_back({&a_.root(a), &b_.root(b)});
+        pairs_.push_back({&a_.root(a), &b_.root(b), false});
     } else {
         divide(a, b);
     }
@@ -139,7 +139,7 @@ void CrossSearch::look(const Pair &pair) {
             count_work(work_of_a_kept_part);
             found_.arcs.push_back(finder_.arc());
         } else if (verdict == ArcFinder::Verdict::open) {
-            halve(pair, box_.chart.first_bends_more());
+            halve({pair.a, pair.b, true}, box_.chart.first_bends_more());
         }
         return;
     }
@@ -178,7 +178,9 @@ void CrossSearch::look_at_flat(const Pair &pair) {
         return;
     }
     if (thickness <= thick * error) {
-        add(pair, thickness <= tolerance_);
+        if (!pair.graph) {
+            add(pair, thickness <= tolerance_);
+        }
     } else if (thickness <= tolerance_) {
         flat_.push_back(pair);
     } else {
@@ -192,12 +194,14 @@ void CrossSearch::halve(const Pair &pair, bool first) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
         if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
             for (size_t end = 0; end < 2; ++end) {
-                next_.push_back(of_a ? Pair{cell.half(end), pair.b} : Pair{pair.a, cell.half(end)});
+                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph});
             }
             return;
         }
     }
-    add(pair, false);
+    if (!pair.graph) {
+        add(pair, false);
+    }
 }
 
 namespace {

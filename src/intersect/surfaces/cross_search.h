@@ -48,8 +48,11 @@ private:
         std::deque<CrossCell> parts;
         std::vector<CrossCell *> roots; // by marks of cells
     };
+    // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
+    // both sides of it go on in each other, or end.
     struct Pair {
         CrossCell *a, *b;
+        bool graph = false;
     };
 
     void find_pieces();

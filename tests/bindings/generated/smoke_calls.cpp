@@ -902,6 +902,13 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("surface_intersections");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::Meet::surfaces(in.surface, sphere, 0.01);
+        show("out", found);
+    }
+    {
         begin("model_sections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -1132,10 +1139,27 @@ void data(const Inputs &in) {
         show("on_surface", found.second);
     }
     {
+        begin("meet_branch_second");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Meet crossing = n::Meet::surfaces(in.surface, sphere, 0.001);
+        const auto found = crossing.branch_second(0);
+        show("on_second", found);
+    }
+    {
         begin("meet_nodes");
         const auto found = in.meet.nodes();
         show("levels", found.levels);
         show("kinds", found.kinds);
+        show("params", found.params);
+        show("ranges", found.ranges);
+    }
+    {
+        begin("meet_nodes_second");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Meet crossing = n::Meet::surfaces(in.surface, sphere, 0.001);
+        const auto found = crossing.nodes_second();
         show("params", found.params);
         show("ranges", found.ranges);
     }
@@ -1405,6 +1429,13 @@ void data(const Inputs &in) {
         begin("surface_level_curves_with");
         const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
         const auto found = n::Meet::level_curves(in.surface, heights, {0.5}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_intersections_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::Meet::surfaces(in.surface, sphere, 0.01, watched());
         show("out", found);
     }
     {

@@ -1530,6 +1530,18 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::level_curves(&given.surface, &heights, &[0.5], 0.01)?;
         show("out", &found);
     }
+    begin("surface_intersections");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = Meet::surfaces(&given.surface, &sphere, 0.01)?;
+        show("out", &found);
+    }
     begin("model_sections");
     {
         let sphere = Spline::sphere(
@@ -1778,11 +1790,38 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("space", &found.0);
         show("on_surface", &found.1);
     }
+    begin("meet_branch_second");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &sphere, 0.001)?;
+        let found = crossing.branch_second(0)?;
+        show("on_second", &found);
+    }
     begin("meet_nodes");
     {
         let found = given.meet.nodes()?;
         show("levels", &found.levels);
         show("kinds", &found.kinds);
+        show("params", &found.params);
+        show("ranges", &found.ranges);
+    }
+    begin("meet_nodes_second");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &sphere, 0.001)?;
+        let found = crossing.nodes_second()?;
         show("params", &found.params);
         show("ranges", &found.ranges);
     }
@@ -2240,6 +2279,23 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &given.surface,
             &heights,
             &[0.5],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_intersections_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = Meet::surfaces_with(
+            &given.surface,
+            &sphere,
             0.01,
             &mut Call::new().progress(|_| true),
         )?;

@@ -212,6 +212,14 @@ nurbs_status make_another_model(const Inputs &in, nurbs_model **out) {
     return nurbs_model_clone(in.model, out);
 }
 
+nurbs_status make_crossing(const Inputs &in, nurbs_meet **out) {
+    Made made_sphere(in, make_sphere);
+    if (made_sphere.status() != NURBS_OK) {
+        return made_sphere.status();
+    }
+    return nurbs_surface_intersections(in.surface, made_sphere, 0.001, out);
+}
+
 nurbs_status make_another_meet(const Inputs &in, nurbs_meet **out) {
     return nurbs_meet_clone(in.meet, out);
 }

@@ -284,6 +284,7 @@ nurbs_status make_edges(const Inputs &in, nurbs_list **out);
 nurbs_status make_faces(const Inputs &in, nurbs_list **out);
 nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out);
 nurbs_status make_another_model(const Inputs &in, nurbs_model **out);
+nurbs_status make_crossing(const Inputs &in, nurbs_meet **out);
 nurbs_status make_another_meet(const Inputs &in, nurbs_meet **out);
 nurbs_status make_another_mesh(const Inputs &in, nurbs_mesh **out);
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out);

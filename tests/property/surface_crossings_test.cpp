@@ -1,0 +1,182 @@
+// Laws of the curves in which two surfaces meet.
+#include "crossings.h"
+#include "made_shapes.h"
+#include "support/scale.h"
+
+#include <numbers>
+
+namespace surface_crossings {
+
+namespace {
+
+constexpr double pi = std::numbers::pi, tolerance = 1e-6;
+
+SplineData ball(double r, const Point3 &centre) {
+    return moved(revolved(ellipse_arc(0, 0, r, r, -pi / 2, pi), 0, 2 * pi), centre);
+}
+SplineData ring(double big, double small) {
+    return revolved(ellipse_arc(big, 0, small, small, 0, 2 * pi), 0, 2 * pi);
+}
+SplineData tube(double r, double half) {
+    return revolved(segment(r, -half, r, half), 0, 2 * pi);
+}
+SplineData flat(double z, double slope = 0) {
+    return net_of({2, 2}, {1, 1}, false, [=](double u, double v) {
+        return std::array<double, 4>{4 * u - 2, 4 * v - 2, z + slope * (4 * u - 2), 1};
+    });
+}
+
+struct Counts {
+    int64_t open, closed;
+};
+void expect_complete(const SplineData &a, const SplineData &b, Counts expected, const std::string &name) {
+    SCOPED_TRACE(name);
+    const Handle first = create(a), second = create(b);
+    const Crossing crossing = crossing_of(first.get(), second.get(), tolerance);
+    EXPECT_TRUE(crossing.found.complete);
+    EXPECT_EQ(crossing.open_ways, expected.open);
+    EXPECT_EQ(crossing.closed_ways, expected.closed);
+    for (const Branch &branch : crossing.found.branches) {
+        EXPECT_LE(branch.deviation, tolerance);
+    }
+    check_curves(crossing, Ground(first.get(), a), Ground(second.get(), b));
+    check_nodes(crossing, 1e-9);
+}
+
+TEST(SurfaceCrossings, KnownShapes) {
+    expect_complete(tube(1, 3), turned(tube(0.6, 3)), {0, 2}, "cylinders of unequal radii");
+    expect_complete(tube(1, 3), moved(turned(tube(0.6, 3)), {0, 0.7, 0}), {0, 1}, "one beside the axis of the other");
+    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(0.97, 3), {1, 0, 0}), {0, 2}, "all but Viviani's curve");
+    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(1.03, 3), {1, 0, 0}), {0, 1}, "the other side of it");
+    expect_complete(ball(1, {3, 0, 0}), ring(3, 1.5), {0, 0}, "a ball in a ring");
+    expect_complete(ball(1, {3.9, 0.1, 0.2}), ring(3, 0.5), {0, 1}, "a ball on a ring");
+    expect_complete(ball(1.2, {3, 0.1, 0.05}), ring(3, 0.8), {0, 2}, "a ball around a ring");
+    expect_complete(turned(tube(0.5, 6)), ring(3, 0.8), {0, 4}, "a rod through a ring");
+    expect_complete(quadratic_graph(1, 0, -1, 0, -1, -1), flat(0.2), {2, 0}, "a saddle below a plane");
+    expect_complete(quadratic_graph(1, 0, -1, 0, -1, -1), flat(-1e-4), {2, 0}, "a saddle above a plane");
+}
+
+// Waves of height 0.2 cross a surface of smaller ones six times.
+SplineData waves(bool rational) {
+    return net_of({20, 20}, {3, 3}, rational, [](double u, double v) {
+        return std::array<double, 4>{u, v, 0.2 * std::sin(6 * pi * u) + 0.03 * std::cos(5 * v),
+                                     1 + 0.5 * std::sin(7 * u + 3 * v)};
+    });
+}
+SplineData ripples(bool rational, double height) {
+    return net_of({20, 20}, {3, 3}, rational, [=](double u, double v) {
+        return std::array<double, 4>{1.2 * u - 0.1, 1.2 * v - 0.1,
+                                     height + 0.01 * std::sin(2 * pi * u + 4 * v),
+                                     1 + 0.5 * std::cos(5 * u - 4 * v)};
+    });
+}
+
+TEST(SurfaceCrossings, SixBranches) {
+    for (const bool rational : {false, true}) {
+        expect_complete(waves(rational), ripples(rational, 0.05), {6, 0}, rational ? "rational" : "polynomial");
+    }
+}
+
+// The branch runs along N_b x N_a.
+TEST(SurfaceCrossings, Direction) {
+    const Handle a = create(waves(true)), b = create(ripples(true, 0.05));
+    const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+    const auto product = [](const Point3 &x, const Point3 &y) {
+        return Point3{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+    };
+    const auto normal = [&](const nurbs *g, const Place &at) {
+        const std::vector<double> s = eval_derivs(g, 1, {at[0], at[1]});
+        return product({s[3], s[4], s[5]}, {s[6], s[7], s[8]});
+    };
+    for (size_t i = 0; i < crossing.found.branches.size(); ++i) {
+        const Branch &branch = crossing.found.branches[i];
+        const std::vector<double> t = branch.params(20);
+        const std::vector<Point3> space = points_on(branch.space.get(), t);
+        const std::vector<Place> on_a = places_on(branch.on.get(), t),
+                                 on_b = places_on(crossing.on_second[i].get(), t);
+        for (size_t k = 0; k + 1 < t.size(); ++k) {
+            const Point3 along = product(normal(b.get(), on_b[k]), normal(a.get(), on_a[k]));
+            const Point3 step{space[k + 1][0] - space[k][0], space[k + 1][1] - space[k][1],
+                              space[k + 1][2] - space[k][2]};
+            EXPECT_GT(dot(along, step), 0) << "branch " << i << ", step " << k;
+        }
+    }
+}
+
+// Loops around the lowest point of z = x^2 + 0.3 x y + 0.8 y^2, down to a millionth of the surface.
+TEST(SurfaceCrossings, SmallLoops) {
+    for (const double r : {0.3, 1e-2, 1e-3, 1e-4, 1e-5, 4e-6}) {
+        SCOPED_TRACE(r);
+        const SplineData bowl = quadratic_graph(1, 0.3, 0.8, 0, -1.03, -1.01), plane = flat(r * r);
+        const Handle a = create(bowl), b = create(plane);
+        const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+        EXPECT_TRUE(crossing.found.complete);
+        EXPECT_EQ(crossing.closed_ways, 1);
+        EXPECT_EQ(crossing.open_ways, 0);
+        EXPECT_NEAR(length_of(crossing.found) / r, 6.742, 0.01);
+        check_curves(crossing, Ground(a.get(), bowl), Ground(b.get(), plane));
+    }
+}
+
+// Random patches over the square [-1, 1]^2 and beyond it, on which the other surface is a graph.
+SplineData random_patch(Random &random) {
+    const std::array<int, 2> degrees{random.whole(1, 4), random.whole(1, 4)};
+    const std::array<int, 2> counts{degrees[0] + random.whole(1, 4), degrees[1] + random.whole(1, 4)};
+    const bool rational = random.chance(50);
+    return net_of(counts, degrees, rational, [&](double u, double v) {
+        return std::array<double, 4>{1.6 * u - 0.8 + random.between(-0.15, 0.15),
+                                     1.6 * v - 0.8 + random.between(-0.15, 0.15), random.between(-0.6, 0.6),
+                                     random.between(0.5, 2)};
+    });
+}
+
+// The zeros of a polynomial on the patch, which are found in another way.
+struct Oracle {
+    bool complete;
+    Counts counts;
+    double length;
+};
+Oracle oracle_of(const nurbs *g, int32_t degree, const std::vector<double> &coefficients) {
+    nurbs_meet *meet = nullptr;
+    require_ok(nurbs_surface_level(g, degree, coefficients.data(), 1e-7, &meet));
+    const MeetHandle owner(meet);
+    Crossing crossing;
+    count_ways(meet, crossing);
+    const Found found = found_in(meet);
+    return {found.complete && found.count(NURBS_NODE_TOUCH) == 0,
+            {crossing.open_ways, crossing.closed_ways},
+            length_of(found)};
+}
+
+TEST(SurfaceCrossings, AsManyAsZerosOfAPolynomial) {
+    Random random(0x5c01);
+    int64_t compared = 0, branches = 0;
+    const int64_t cases = scaled(300);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        const SplineData patch = random_patch(random);
+        const double a = random.between(-0.5, 0.5), b = random.between(-0.5, 0.5), c = random.between(-0.5, 0.5),
+                     d = random.between(-0.3, 0.3);
+        const SplineData graph = quadratic_graph(a, b, c, d, -1, -1);
+        const Handle first = create(patch), second = create(graph);
+        // Of x^2, x y, x z, x, y^2, y z, y, z^2, z, 1.
+        const std::vector<double> coefficients{a, b, 0, 0, c, 0, 0, 0, -1, d};
+        const Oracle oracle = oracle_of(first.get(), 2, coefficients);
+        const Crossing crossing = crossing_of(first.get(), second.get(), 1e-5);
+        if (!oracle.complete || !crossing.found.complete) {
+            continue;
+        }
+        ++compared;
+        branches += crossing.open_ways + crossing.closed_ways;
+        EXPECT_EQ(crossing.open_ways, oracle.counts.open);
+        EXPECT_EQ(crossing.closed_ways, oracle.counts.closed);
+        EXPECT_NEAR(length_of(crossing.found), oracle.length, 1e-3 * (1 + oracle.length));
+        check_curves(crossing, Ground(first.get(), patch), Ground(second.get(), graph), 40);
+    }
+    EXPECT_GE(compared, cases * 95 / 100);
+    EXPECT_GE(branches, compared);
+}
+
+} // namespace
+
+} // namespace surface_crossings
