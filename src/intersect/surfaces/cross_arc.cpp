@@ -75,7 +75,7 @@ bool CrossBox::solve(size_t fixed, CrossPlace &z) const {
             z[k] = k == fixed ? z[k] : inside;
         }
         if (!is_clamped &&
-            (size <= 0x1p-27 || (size >= last / 2 && size <= 64 * chart.norm() * chart.near()))) {
+            (size <= 0x1p-27 || (size >= last / 2 && size <= chart.norm() * chart.near() / 4))) {
             return true;
         }
         clamped += is_clamped ? 1 : 0;
