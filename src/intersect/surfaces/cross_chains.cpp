@@ -29,7 +29,7 @@ struct CrossSpot {
 // How far places of an end differ that are found in different boxes: as much as rounding makes of them, which is a small part
 // of its bounds. On a side the coordinate k is off by what that makes of the way to the side.
 CrossPlace noise_of(const CrossChart &chart, const CrossEnd &end) noexcept {
-    constexpr double part = 0.25;
+    constexpr double part = 0.25, most_noise = 0x1p-8;
     const size_t k = chart.axis();
     CrossPlace noise{};
     for (size_t i = 0; i < 4; ++i) {
@@ -37,7 +37,7 @@ CrossPlace noise_of(const CrossChart &chart, const CrossEnd &end) noexcept {
     }
     if (end.coordinate != k) {
         const Interval &rise = chart.rise(end.coordinate);
-        noise[k] = noise[end.coordinate] / std::min(std::abs(rise.lower), std::abs(rise.upper));
+        noise[k] = std::min(noise[end.coordinate] / std::abs(rise.lower / 2 + rise.upper / 2), most_noise);
         for (size_t i = 0; i < 4; ++i) {
             noise[i] +=
                 i == k ? 0
@@ -107,9 +107,21 @@ private:
             for (size_t end = 0; end < 2; ++end) {
                 spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end]));
             }
-            taken_[arc] = apart(spots_[0][arc], spots_[1][arc], no_length) <= 1;
+            lengths_.push_back(length_of(spots_[0][arc], spots_[1][arc]));
+            taken_[arc] = lengths_[arc] <= 1;
         }
     }
+
+    // Of one piece, in parts of what sides are shifted by and of the noise of both.
+    static double length_of(const CrossSpot &a, const CrossSpot &b) noexcept {
+        double most = 0;
+        for (size_t i = 0; i < 4; ++i) {
+            most = std::max(most, std::abs(a.place[i] - b.place[i]) / (no_length + a.noise[i] + b.noise[i]));
+        }
+        return most;
+    }
+    // Whether an arc may be rounding alone.
+    [[nodiscard]] bool is_short(size_t arc) const noexcept { return lengths_[arc] <= 64; }
 
     // In parts of a room and of the noise of both.
     [[nodiscard]] double apart(const CrossSpot &a, const CrossSpot &b, double room) const noexcept {
@@ -137,11 +149,31 @@ private:
         return least;
     }
 
-    // First in the same places, then what noise, or an arc that is a place, is between.
+    // First in the same places, then what noise, or a short arc that goes on in none, is between.
     void match_all() {
-        for (const double wide : {1.0, 16.0}) {
-            match(wide);
+        match(1);
+        while (drop_short_ends()) {
         }
+        match(16);
+    }
+    bool drop_short_ends() {
+        bool any = false;
+        for (size_t arc = 0; arc < next_.size(); ++arc) {
+            const auto &ends = found_.arcs[arc].ends;
+            const bool begins = last_[arc] == unmatched && !ends[0].open,
+                       stops = next_[arc] == unmatched && !ends[1].open;
+            if (taken_[arc] || !is_short(arc) || (!begins && !stops)) {
+                continue;
+            }
+            taken_[arc] = any = true;
+            if (last_[arc] != unmatched) {
+                next_[std::exchange(last_[arc], unmatched)] = unmatched;
+            }
+            if (next_[arc] != unmatched) {
+                last_[std::exchange(next_[arc], unmatched)] = unmatched;
+            }
+        }
+        return any;
     }
     // Pairs of an end and a beginning, the nearest ones first.
     void match(double wide) {
@@ -180,7 +212,7 @@ private:
             count_work(40);
             const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
             const double far = apart(end, start, one_place);
-            if (far <= wide) {
+            if (far <= wide && !(begin->second == arc && is_short(arc))) {
                 matches.push_back({far, arc, begin->second});
             }
         }
@@ -315,6 +347,10 @@ private:
                 std::ranges::find_if(arcs, [&](size_t arc) { return is_seam(last_[arc], arc); });
             std::rotate(arcs.begin(), after_seam == arcs.end() ? arcs.begin() : after_seam, arcs.end());
         }
+        if (closed && std::ranges::all_of(arcs, [&](size_t arc) { return is_short(arc); })) {
+            add_node(NodeKind::undecided, spots_[0][first]);
+            return;
+        }
         const bool cut = closed && is_seam(arcs.back(), arcs.front());
         const size_t begun = result_.chains.size();
         const int64_t loop = closed ? loops_++ : -1;
@@ -355,6 +391,7 @@ private:
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
     std::vector<size_t> next_, last_;             // arcs
     std::vector<bool> taken_;
+    std::vector<double> lengths_;                 // of arcs
     std::vector<std::array<Interval, 4>> groups_; // of clusters: the first nodes
     int64_t loops_ = 0;
     CrossChains result_;
