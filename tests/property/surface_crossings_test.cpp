@@ -177,6 +177,86 @@ TEST(SurfaceCrossings, AsManyAsZerosOfAPolynomial) {
     EXPECT_GE(branches, compared);
 }
 
+// Turned and moved at random, so that it cuts the other one anyhow.
+SplineData anyhow(Random &random, SplineData data) {
+    move(data, random_motion(random, 3, 1, 0.3));
+    return data;
+}
+
+struct Ways {
+    int64_t open, closed;
+    bool complete;
+    double length;
+};
+Ways ways_of(const nurbs *a, const nurbs *b) {
+    const Crossing crossing = crossing_of(a, b, 1e-5);
+    return {crossing.open_ways, crossing.closed_ways, crossing.found.complete, length_of(crossing.found)};
+}
+void expect_same(const Ways &a, const Ways &b, const char *law) {
+    SCOPED_TRACE(law);
+    if (a.complete && b.complete) {
+        EXPECT_EQ(a.open, b.open);
+        EXPECT_EQ(a.closed, b.closed);
+        EXPECT_NEAR(a.length, b.length, 2e-4 * (1 + a.length));
+    }
+}
+
+// The same shapes in other forms, and the other way round, meet in as many curves.
+TEST(SurfaceCrossings, LawsOfForms) {
+    Random random(0x5c02);
+    int64_t complete = 0, branches = 0;
+    const int64_t cases = scaled(150);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        const SplineData data_a = random_patch(random), data_b = anyhow(random, random_patch(random));
+        const Handle a = create(data_a), b = create(data_b);
+        const Crossing crossing = crossing_of(a.get(), b.get(), 1e-5);
+        check_curves(crossing, Ground(a.get(), data_a), Ground(b.get(), data_b), 40);
+        const Ways ways{crossing.open_ways, crossing.closed_ways, crossing.found.complete,
+                        length_of(crossing.found)};
+        complete += ways.complete ? 1 : 0;
+        branches += ways.open + ways.closed;
+        expect_same(ways, ways_of(b.get(), a.get()), "exchanged");
+        const Handle fine =
+            made([&](nurbs **out) { return nurbs_refine_uniform(a.get(), random.whole(0, 1), 3, out); });
+        expect_same(ways, ways_of(fine.get(), b.get()), "refined");
+        const Handle raised = elevate(b.get(), random.whole(0, 1), 1);
+        expect_same(ways, ways_of(a.get(), raised.get()), "elevated");
+        const Handle other = disguised(random, made([&](nurbs **out) { return nurbs_clone(b.get(), out); }), 2);
+        expect_same(ways, ways_of(a.get(), other.get()), "in another form");
+    }
+    EXPECT_GE(complete, cases * 95 / 100);
+    EXPECT_GE(branches, cases / 2);
+}
+
+// Of any knots and weights: repeated ones and jumps, unclamped and periodic axes, points far from the origin.
+TEST(SurfaceCrossings, AnySplines) {
+    Random random(0x5c03);
+    int64_t complete = 0, branches = 0;
+    const int64_t cases = scaled(200);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        Recipe recipe_a = random_recipe(random, 2, 3), recipe_b = random_recipe(random, 2, 3);
+        recipe_a.dim = recipe_b.dim = 3;
+        const SplineData data_a = random_spline(random, recipe_a), data_b = random_spline(random, recipe_b);
+        const Handle a = create(data_a), b = create(data_b);
+        const double size = std::max(extent(data_a), extent(data_b));
+        nurbs_call_options call;
+        require_ok(nurbs_call_options_init(&call, sizeof call));
+        call.work = 20000000;
+        const Crossing crossing = crossing_of(a.get(), b.get(), 1e-5 * size, &call);
+        complete += crossing.found.complete ? 1 : 0;
+        branches += crossing.open_ways + crossing.closed_ways;
+        check_curves(crossing, Ground(a.get(), data_a), Ground(b.get(), data_b), 20);
+        const Crossing exchanged = crossing_of(b.get(), a.get(), 1e-5 * size, &call);
+        if (crossing.found.complete && exchanged.found.complete) {
+            EXPECT_EQ(crossing.open_ways, exchanged.open_ways);
+            EXPECT_EQ(crossing.closed_ways, exchanged.closed_ways);
+        }
+    }
+    std::printf("complete %lld of %lld, branches %lld\n", (long long)complete, (long long)cases, (long long)branches);
+}
+
 } // namespace
 
 } // namespace surface_crossings

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace nrb::intersect {
@@ -59,10 +60,14 @@ CrossFitter::Node CrossFitter::node(const CrossPlace &at) const noexcept {
               {}};
     const Vector3 along = node.tangent_on[0] * value.a.slope[0] + node.tangent_on[1] * value.a.slope[1];
     const double speed = length(along);
-    for (double &x : node.tangent_on) {
-        x /= speed;
+    if (speed > 0) {
+        for (double &x : node.tangent_on) {
+            x /= speed;
+        }
+        node.tangent = coordinates((1 / speed) * along);
+    } else { // the curve stands still, or rounding hides where it goes
+        node.tangent_on = {};
     }
-    node.tangent = coordinates((1 / speed) * along);
     return node;
 }
 
@@ -71,25 +76,35 @@ void CrossFitter::fit(const CrossArc &arc, std::vector<CrossSegment> &segments) 
     fit_between(node(arc.ends[0].at), node(arc.ends[1].at), 0, segments);
 }
 
-// As long as an arc of a circle with that chord and these tangents.
+// As long as an arc of a circle with that chord and these tangents. Where the curve is no longer than what rounding makes of its
+// ends tangents are no measure: legs are no longer than half the way, and coordinate k stays between its ends.
 CrossSegment CrossFitter::hermite(const Node &a, const Node &b) const noexcept {
     const double chord = distance(a.point.data(), b.point.data(), 3),
                  cosine = dot(a.tangent.data(), b.tangent.data(), 3);
     CrossSegment segment;
     segment.length = chord * (1 + (1 - cosine) / 12);
-    const double leg = segment.length / 3;
+    CrossPlace way{};
+    std::ranges::transform(a.at, b.at, way.begin(), std::minus<>());
+    const auto leg = [&](const Node &node) {
+        const double full = segment.length / 3 * largest(node.tangent_on), half = largest(way) / 2;
+        return full > half ? segment.length / 3 * (half / full) : segment.length / 3;
+    };
+    const double first = leg(a), last = leg(b);
+    const size_t axis = arc_->box.chart.axis();
+    const auto [lower, upper] = std::minmax({a.at[axis], b.at[axis]});
     for (size_t i = 0; i < 4; ++i) {
         auto &on = segment.on[i / 2];
         const size_t k = i % 2;
+        const double second = a.at[i] + first * a.tangent_on[i], third = b.at[i] - last * b.tangent_on[i];
         on[0][k] = a.at[i];
-        on[1][k] = a.at[i] + leg * a.tangent_on[i];
-        on[2][k] = b.at[i] - leg * b.tangent_on[i];
+        on[1][k] = i == axis ? std::clamp(second, lower, upper) : second;
+        on[2][k] = i == axis ? std::clamp(third, lower, upper) : third;
         on[3][k] = b.at[i];
     }
     for (size_t c = 0; c < 3; ++c) {
         segment.space[0][c] = a.point[c];
-        segment.space[1][c] = a.point[c] + leg * a.tangent[c];
-        segment.space[2][c] = b.point[c] - leg * b.tangent[c];
+        segment.space[1][c] = a.point[c] + first * a.tangent[c];
+        segment.space[2][c] = b.point[c] - last * b.tangent[c];
         segment.space[3][c] = b.point[c];
     }
     return segment;
