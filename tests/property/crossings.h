@@ -9,8 +9,8 @@ using namespace surface_sections;
 
 struct Crossing {
     Found found;
-    std::vector<Handle> on_second;    // of branches
-    std::vector<MeetPart> on_b;       // nodes
+    std::vector<Handle> on_second; // of branches
+    std::vector<MeetPart> on_b;    // nodes
     int64_t open_ways = 0, closed_ways = 0;
 };
 

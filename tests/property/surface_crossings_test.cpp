@@ -45,8 +45,10 @@ void expect_complete(const SplineData &a, const SplineData &b, Counts expected, 
 
 TEST(SurfaceCrossings, KnownShapes) {
     expect_complete(tube(1, 3), turned(tube(0.6, 3)), {0, 2}, "cylinders of unequal radii");
-    expect_complete(tube(1, 3), moved(turned(tube(0.6, 3)), {0, 0.7, 0}), {0, 1}, "one beside the axis of the other");
-    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(0.97, 3), {1, 0, 0}), {0, 2}, "all but Viviani's curve");
+    expect_complete(tube(1, 3), moved(turned(tube(0.6, 3)), {0, 0.7, 0}), {0, 1},
+                    "one beside the axis of the other");
+    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(0.97, 3), {1, 0, 0}), {0, 2},
+                    "all but Viviani's curve");
     expect_complete(ball(2, {0, 0, 0.01}), moved(tube(1.03, 3), {1, 0, 0}), {0, 1}, "the other side of it");
     expect_complete(ball(1, {3, 0, 0}), ring(3, 1.5), {0, 0}, "a ball in a ring");
     expect_complete(ball(1, {3.9, 0.1, 0.2}), ring(3, 0.5), {0, 1}, "a ball on a ring");
@@ -73,7 +75,8 @@ SplineData ripples(bool rational, double height) {
 
 TEST(SurfaceCrossings, SixBranches) {
     for (const bool rational : {false, true}) {
-        expect_complete(waves(rational), ripples(rational, 0.05), {6, 0}, rational ? "rational" : "polynomial");
+        expect_complete(waves(rational), ripples(rational, 0.05), {6, 0},
+                        rational ? "rational" : "polynomial");
     }
 }
 
@@ -155,8 +158,8 @@ TEST(SurfaceCrossings, AsManyAsZerosOfAPolynomial) {
     for (int64_t i = 0; i < cases; ++i) {
         SCOPED_TRACE(i);
         const SplineData patch = random_patch(random);
-        const double a = random.between(-0.5, 0.5), b = random.between(-0.5, 0.5), c = random.between(-0.5, 0.5),
-                     d = random.between(-0.3, 0.3);
+        const double a = random.between(-0.5, 0.5), b = random.between(-0.5, 0.5),
+                     c = random.between(-0.5, 0.5), d = random.between(-0.3, 0.3);
         const SplineData graph = quadratic_graph(a, b, c, d, -1, -1);
         const Handle first = create(patch), second = create(graph);
         // Of x^2, x y, x z, x, y^2, y z, y, z^2, z, 1.
@@ -222,7 +225,8 @@ TEST(SurfaceCrossings, LawsOfForms) {
         expect_same(ways, ways_of(fine.get(), b.get()), "refined");
         const Handle raised = elevate(b.get(), random.whole(0, 1), 1);
         expect_same(ways, ways_of(a.get(), raised.get()), "elevated");
-        const Handle other = disguised(random, made([&](nurbs **out) { return nurbs_clone(b.get(), out); }), 2);
+        const Handle other =
+            disguised(random, made([&](nurbs **out) { return nurbs_clone(b.get(), out); }), 2);
         expect_same(ways, ways_of(a.get(), other.get()), "in another form");
     }
     EXPECT_GE(complete, cases * 95 / 100);
@@ -233,11 +237,16 @@ TEST(SurfaceCrossings, LawsOfForms) {
 TEST(SurfaceCrossings, AnySplines) {
     Random random(0x5c03);
     int64_t complete = 0, branches = 0;
-    const int64_t cases = scaled(200);
+    const int64_t cases = scaled(60);
     for (int64_t i = 0; i < cases; ++i) {
         SCOPED_TRACE(i);
         Recipe recipe_a = random_recipe(random, 2, 3), recipe_b = random_recipe(random, 2, 3);
         recipe_a.dim = recipe_b.dim = 3;
+        for (Recipe *recipe : {&recipe_a, &recipe_b}) {
+            for (AxisRecipe &axis : recipe->axes) {
+                axis.degree = std::max(axis.degree, 1);
+            }
+        }
         const SplineData data_a = random_spline(random, recipe_a), data_b = random_spline(random, recipe_b);
         const Handle a = create(data_a), b = create(data_b);
         const double size = std::max(extent(data_a), extent(data_b));
@@ -254,7 +263,8 @@ TEST(SurfaceCrossings, AnySplines) {
             EXPECT_EQ(crossing.closed_ways, exchanged.closed_ways);
         }
     }
-    std::printf("complete %lld of %lld, branches %lld\n", (long long)complete, (long long)cases, (long long)branches);
+    EXPECT_GE(complete, cases / 2);
+    EXPECT_GE(branches, cases / 4);
 }
 
 } // namespace
