@@ -122,9 +122,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     FUZZ_OK(nurbs_curve_surface_intersections(surface.get(), surface.get(), tolerance, 0, nullptr, nullptr,
                                               nullptr, nullptr, nullptr, &count, nullptr));
     const fuzz::Handle second(fuzz::create(in_space(in, 2)));
+    nurbs_meet *rarely = nullptr;
+    if (FUZZ_OK(nurbs_surface_intersections(curve.get(), curve.get(), tolerance, &rarely))) {
+        look_at(rarely);
+        nurbs_meet_destroy(rarely);
+    }
     if (second) {
-        meet_surfaces(surface.get(), second.get(), tolerance, 1000000);
-        meet_surfaces(surface.get(), surface.get(), tolerance, in.below(100000) + 1);
+        meet_surfaces(surface.get(), second.get(), tolerance, 200000);
+        meet_surfaces(surface.get(), surface.get(), tolerance, in.below(20000) + 1);
     }
     nurbs *side = nullptr;
     double domain[2];
