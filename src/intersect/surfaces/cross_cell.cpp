@@ -107,6 +107,7 @@ void CrossPiece::set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &
         for (size_t end = 0; end < 2; ++end) {
             const bool up = end == 1, is_break = (up ? within[k].upper : within[k].lower) == (up ? 1 : 0);
             open[k][end] = is_break && !borders.goes_on(k, i, up);
+            poles[k][end] = is_break && borders.is_collapsed(k, i, up);
             const double next = is_break && !open[k][end] ? length(up ? i + 1 : i - 1) : whole;
             const double by = of_axis * std::min(next, whole) / part;
             shifts[k][end] = open[k][end] && !up ? -by : by;
@@ -160,15 +161,27 @@ CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vecto
     set_box();
 }
 
+bool CrossCell::is_inside(size_t axis, size_t end) const noexcept {
+    return end == 0 ? lower_[axis] > 0 : lower_[axis] + length_[axis] < 1;
+}
+
 double CrossCell::side(size_t axis, size_t end) const noexcept {
-    const bool inside = end == 0 ? lower_[axis] > 0 : lower_[axis] + length_[axis] < 1;
-    const double shift = inside ? piece_->shift[axis] : piece_->shifts[axis][end];
+    const double shift = is_inside(axis, end) ? piece_->shift[axis] : piece_->shifts[axis][end];
     return static_cast<double>(end) + shift / length_[axis];
 }
 
 bool CrossCell::is_open(size_t axis, size_t end) const noexcept {
-    const bool inside = end == 0 ? lower_[axis] > 0 : lower_[axis] + length_[axis] < 1;
-    return !inside && piece_->open[axis][end];
+    return !is_inside(axis, end) && piece_->open[axis][end];
+}
+
+bool CrossCell::has_pole() const noexcept {
+    bool any = false;
+    for (size_t k = 0; k < 2; ++k) {
+        for (size_t end = 0; end < 2; ++end) {
+            any = any || (piece_->poles[k][end] && !is_inside(k, end));
+        }
+    }
+    return any;
 }
 
 void CrossCell::set_box() {

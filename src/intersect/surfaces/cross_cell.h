@@ -55,6 +55,7 @@ struct CrossPiece {
     std::array<Interval, 2>
         within{}; // places in that piece of the surface: all of it, if weights are positive there
     std::array<std::array<bool, 2>, 2> open{};     // [axis][end]: the surface ends there
+    std::array<std::array<bool, 2>, 2> poles{};    // [axis][end]: the side is one point
     std::array<std::array<double, 2>, 2> shifts{}; // [axis][end], of the sides of its box, by places
     SideShifts shift{};                            // the same of sides inside of the piece
     double largest_weight = 0;
@@ -92,6 +93,8 @@ public:
     // Where its box ends, as places in the part.
     [[nodiscard]] double side(size_t axis, size_t end) const noexcept;
     [[nodiscard]] bool is_open(size_t axis, size_t end) const noexcept;
+    // Whether a side of it is one point, in which a derivative vanishes.
+    [[nodiscard]] bool has_pole() const noexcept;
 
     // The box of the control points, and its largest side.
     [[nodiscard]] const std::array<Interval, 3> &box() const noexcept { return box_; }
@@ -115,6 +118,7 @@ public:
     [[nodiscard]] CrossCell *half(size_t end) const noexcept { return halves_[end]; }
 
 private:
+    [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side, of the piece
     void set_box();
     void set_wide(const std::vector<double> &records);
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);

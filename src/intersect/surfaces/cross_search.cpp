@@ -17,7 +17,7 @@ constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of 
 constexpr size_t most_pairs = 1 << 16;
 constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
-constexpr double thick = 2;
+constexpr double thick = 32;
 
 bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
     const double room = a.error() + b.error();
@@ -189,7 +189,9 @@ void CrossSearch::look_at_flat(const Pair &pair) {
 }
 
 void CrossSearch::halve(const Pair &pair, bool first) {
-    const double small = 4 * (pair.a->piece().error + pair.b->piece().error);
+    const double error = 4 * (pair.a->piece().error + pair.b->piece().error);
+    const bool pole = pair.a->has_pole() || pair.b->has_pole(); // where parts never have charts
+    const double small = pole ? std::max(error, tolerance_ / 4) : error;
     for (const bool of_a : {first, !first}) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
         if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
