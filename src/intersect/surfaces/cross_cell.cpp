@@ -148,8 +148,7 @@ CrossPiece::Point CrossPiece::evaluate(const std::array<double, 2> &place) const
 }
 
 CrossCell::CrossCell(const CrossPiece &piece)
-    : piece_(&piece),
-      records_(piece.piece.record(0), piece.piece.record(0) + width * piece.piece.coefficients()) {
+    : piece_(&piece), records_(piece.piece.record(0), piece.piece.record(piece.piece.coefficients())) {
     set_box();
 }
 

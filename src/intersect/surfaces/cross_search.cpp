@@ -210,7 +210,7 @@ namespace {
 
 void set_ranges(const CrossCell &cell, Interval *ranges) noexcept {
     for (size_t k = 0; k < 2; ++k) {
-        const auto [lower, upper] = cell.piece().range[k];
+        const double lower = cell.piece().range[k].lower, upper = cell.piece().range[k].upper;
         const auto parameter = [&](double place) {
             return place == 1 ? upper : std::clamp(lower * (1 - place) + upper * place, lower, upper);
         };
