@@ -15,6 +15,7 @@ namespace {
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
 constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of each other that are halved
 constexpr size_t most_pairs = 1 << 16;
+constexpr size_t most_alike = 512; // pairs of one size of which one lies on the other as far as can be seen
 constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
 constexpr double thick = 32;
@@ -27,6 +28,35 @@ bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
         }
     }
     return false;
+}
+
+// How far the middle of a part is from another one, near its foot there; infinite if that is not in the wide part.
+double distance_of_middle(const CrossCell &from, const CrossCell &to) noexcept {
+    constexpr int most_steps = 4;
+    std::array<double, 2> at{0.5, 0.5};
+    for (int i = 0;; ++i) {
+        count_work(300);
+        const CrossPiece::Point point = to.piece().evaluate(to.in_piece(at.data()));
+        const Vector3 away = from.centre() - point.at, u = to.length(0) * point.slope[0],
+                      v = to.length(1) * point.slope[1];
+        if (i == most_steps) {
+            return length(away);
+        }
+        const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
+        at[0] += (dot(away, u) * vv - dot(away, v) * uv) / determinant;
+        at[1] += (dot(away, v) * uu - dot(away, u) * uv) / determinant;
+        for (const double x : at) {
+            if (!(x >= -widening && x <= 1 + widening)) {
+                return infinity;
+            }
+        }
+    }
+}
+
+// Whether the cosine of the angle between the normals in the middles is not less.
+bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) noexcept {
+    const Vector3 of_a = cross(a.slope(0), a.slope(1)), of_b = cross(b.slope(0), b.slope(1));
+    return std::abs(dot(of_a, of_b)) >= least_cosine * length(of_a) * length(of_b);
 }
 
 bool is_positive(const closest::PairCell &cell) noexcept {
@@ -67,14 +97,20 @@ CrossParts CrossSearch::run(double tolerance) {
             }
             steps.next(next_.size());
         }
-        const bool crowd = flat_.size() > most_flat;
-        for (const Pair &pair : flat_) {
-            crowd ? add(pair, true) : halve(pair, pair.a->size() >= pair.b->size());
-        }
-        flat_.clear();
+        settle_crowds();
         pairs_ = std::exchange(next_, {});
     }
     return std::move(found_);
+}
+
+// Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other.
+void CrossSearch::settle_crowds() {
+    crowded_ = crowded_ || flat_.size() > most_flat || alike_ > most_alike;
+    for (const Pair &pair : flat_) {
+        crowded_ ? add(pair, true) : halve(pair, pair.a->size() >= pair.b->size());
+    }
+    flat_.clear();
+    alike_ = 0;
 }
 
 void CrossSearch::find_pieces() {
@@ -172,6 +208,20 @@ double CrossSearch::thickness(const Pair &pair) const {
     return least;
 }
 
+// Whether the smaller part lies on the larger one, as far as its middle tells; where many do, whether it may.
+bool CrossSearch::are_along(const Pair &pair) {
+    if (!are_parallel(*pair.a, *pair.b, crowded_ ? 0.8 : 0.999)) {
+        return false;
+    }
+    if (crowded_) {
+        return true;
+    }
+    const bool first = pair.a->size() <= pair.b->size();
+    const bool alike = distance_of_middle(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a) <= tolerance_;
+    alike_ += alike ? 1 : 0;
+    return alike;
+}
+
 void CrossSearch::look_at_flat(const Pair &pair) {
     const double thickness = this->thickness(pair), error = pair.a->piece().error + pair.b->piece().error;
     if (thickness < 0) {
@@ -181,7 +231,7 @@ void CrossSearch::look_at_flat(const Pair &pair) {
         if (!pair.graph) {
             add(pair, thickness <= tolerance_);
         }
-    } else if (thickness <= tolerance_) {
+    } else if (thickness <= tolerance_ || are_along(pair)) {
         flat_.push_back(pair);
     } else {
         halve(pair, box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size());

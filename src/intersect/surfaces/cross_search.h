@@ -61,6 +61,8 @@ private:
     void look(const Pair &pair);
     void halve(const Pair &pair, bool first);
     void look_at_flat(const Pair &pair);
+    bool are_along(const Pair &pair);
+    void settle_crowds();
     void add(const Pair &pair, bool near);
     void add_unknown(const PairCell &a, const PairCell &b);
     [[nodiscard]] double thickness(const Pair &pair) const;
@@ -70,6 +72,8 @@ private:
     double tolerance_ = 0;
     std::vector<std::pair<PairCell *, PairCell *>> stack_;
     std::vector<Pair> pairs_, next_, flat_;
+    size_t alike_ = 0; // pairs of this size of which one lies on the other
+    bool crowded_ = false;
     ArcFinder finder_;
     CrossBox box_{};
     CrossParts found_;
