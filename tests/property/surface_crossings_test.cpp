@@ -267,6 +267,71 @@ TEST(SurfaceCrossings, AnySplines) {
     EXPECT_GE(branches, cases / 4);
 }
 
+// What touches is left open: where, and nothing else.
+TEST(SurfaceCrossings, WhatTouchesIsLeftOpen) {
+    struct Touch {
+        SplineData a, b;
+        int64_t branches, least_nodes, most_nodes; // nodes that are undecided
+        const char *name;
+    };
+    const std::vector<Touch> touches{
+        {quadratic_graph(1, 0, -1, 0, -1, -1), flat(0), 4, 1, 1, "a saddle at its level"},
+        {quadratic_graph(1, 0.3, 0.8, 0, -1.03, -1.01), flat(0), 0, 1, 1, "a bowl on a plane"},
+        {tube(1, 3), turned(tube(1, 3)), 6, 2, 2, "cylinders of equal radii"},
+        {ball(1, {1, 0, 0}), moved(flat(0), {0, 0, 1}), 0, 1, 1, "a plane on a pole"},
+        {waves(true), waves(true), 0, 1, 8, "a surface and itself"},
+        {tube(1, 3), moved(tube(1, 2), {0, 0, 0.5}), 0, 1, 8, "a part of a surface"},
+        {ring(1.2, 0.5), moved(flat(0), {0, 0, 0.5}), 0, 1, 8, "a plane on a ring, along a circle"}};
+    for (const Touch &touch : touches) {
+        SCOPED_TRACE(touch.name);
+        const Handle a = create(touch.a), b = create(touch.b);
+        const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+        const int64_t open = crossing.found.count(NURBS_NODE_UNDECIDED);
+        EXPECT_FALSE(crossing.found.complete);
+        EXPECT_EQ(std::ssize(crossing.found.branches), touch.branches);
+        EXPECT_GE(open, touch.least_nodes);
+        EXPECT_LE(open, touch.most_nodes);
+        check_curves(crossing, Ground(a.get(), touch.a), Ground(b.get(), touch.b));
+    }
+}
+
+// Nothing depends on the units of length and of parameters.
+TEST(SurfaceCrossings, Scales) {
+    const SplineData a = waves(true), b = ripples(true, 0.05);
+    const Ways ways = ways_of(create(a).get(), create(b).get());
+    EXPECT_EQ(ways.open, 6);
+    for (const double size : {0x1p-40, 1e-6, 1e6, 0x1p60}) {
+        for (const double speed : {1e-9, 1.0, 1e9}) {
+            const Handle first = create(scaled(a, size, speed)), second = create(scaled(b, size, 1 / speed));
+            const Crossing crossing = crossing_of(first.get(), second.get(), 1e-5 * size);
+            EXPECT_TRUE(crossing.found.complete);
+            EXPECT_EQ(crossing.open_ways, 6);
+            EXPECT_NEAR(length_of(crossing.found) / size, ways.length, 1e-4);
+        }
+    }
+}
+
+// Where the work ends early the answer says so; what it tells of curves holds.
+TEST(SurfaceCrossings, LimitsOfWork) {
+    const SplineData data_a = waves(false), data_b = ripples(false, 0.05);
+    const Handle a = create(data_a), b = create(data_b);
+    nurbs_call_options call;
+    require_ok(nurbs_call_options_init(&call, sizeof call));
+    bool complete = false;
+    for (call.work = 1; call.work < 1000000000; call.work *= 4) {
+        SCOPED_TRACE(call.work);
+        const Crossing crossing = crossing_of(a.get(), b.get(), tolerance, &call);
+        complete = crossing.found.complete;
+        if (complete) {
+            EXPECT_EQ(crossing.open_ways + crossing.closed_ways, 6);
+        }
+        for (const Branch &branch : crossing.found.branches) {
+            EXPECT_GT(branch.deviation, 0);
+        }
+    }
+    EXPECT_TRUE(complete);
+}
+
 } // namespace
 
 } // namespace surface_crossings
