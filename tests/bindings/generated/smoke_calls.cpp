@@ -903,9 +903,8 @@ void data(const Inputs &in) {
     }
     {
         begin("surface_intersections");
-        n::Placement at;
-        const n::Spline sphere = n::sphere(at, 1.0, 0);
-        const auto found = n::Meet::surfaces(in.surface, sphere, 0.01);
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const auto found = n::Meet::surfaces(wall, in.surface, 0.1);
         show("out", found);
     }
     {
@@ -1140,9 +1139,8 @@ void data(const Inputs &in) {
     }
     {
         begin("meet_branch_second");
-        n::Placement at;
-        const n::Spline sphere = n::sphere(at, 1.0, 0);
-        const n::Meet crossing = n::Meet::surfaces(in.surface, sphere, 0.001);
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
         const auto found = crossing.branch_second(0);
         show("on_second", found);
     }
@@ -1156,9 +1154,8 @@ void data(const Inputs &in) {
     }
     {
         begin("meet_nodes_second");
-        n::Placement at;
-        const n::Spline sphere = n::sphere(at, 1.0, 0);
-        const n::Meet crossing = n::Meet::surfaces(in.surface, sphere, 0.001);
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
         const auto found = crossing.nodes_second();
         show("params", found.params);
         show("ranges", found.ranges);
@@ -1433,9 +1430,8 @@ void data(const Inputs &in) {
     }
     {
         begin("surface_intersections_with");
-        n::Placement at;
-        const n::Spline sphere = n::sphere(at, 1.0, 0);
-        const auto found = n::Meet::surfaces(in.surface, sphere, 0.01, watched());
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const auto found = n::Meet::surfaces(wall, in.surface, 0.1, watched());
         show("out", found);
     }
     {

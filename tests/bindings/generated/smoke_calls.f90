@@ -1822,10 +1822,11 @@ contains
         end block
         call begin('surface_intersections')
         block
-            type(nurbs_spline) :: sphere
+            type(nurbs_spline) :: wall
             type(nurbs_meet) :: found
-            call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call found%surfaces(a=surface, b=sphere, tolerance=0.01d0)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%surfaces(a=wall, b=surface, tolerance=0.1d0)
             call show('out', found)
         end block
         call begin('model_sections')
@@ -2167,11 +2168,12 @@ contains
         end block
         call begin('meet_branch_second')
         block
-            type(nurbs_spline) :: sphere
+            type(nurbs_spline) :: wall
             type(nurbs_meet) :: crossing
             type(nurbs_spline) :: on_second_found
-            call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call crossing%surfaces(a=surface, b=sphere, tolerance=0.001d0)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
             call crossing%branch_second(index=1, on_second=on_second_found)
             call show('on_second', on_second_found)
         end block
@@ -2191,12 +2193,13 @@ contains
         end block
         call begin('meet_nodes_second')
         block
-            type(nurbs_spline) :: sphere
+            type(nurbs_spline) :: wall
             type(nurbs_meet) :: crossing
             real(c_double), allocatable :: params_found(:, :)
             real(c_double), allocatable :: ranges_found(:, :)
-            call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call crossing%surfaces(a=surface, b=sphere, tolerance=0.001d0)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
             call crossing%nodes_second(params=params_found, ranges=ranges_found)
             call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
                 1])))
@@ -2638,11 +2641,12 @@ contains
         end block
         call begin('surface_intersections_with')
         block
-            type(nurbs_spline) :: sphere
+            type(nurbs_spline) :: wall
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
-            call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call found%surfaces(a=surface, b=sphere, tolerance=0.01d0, call=watching)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%surfaces(a=wall, b=surface, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('model_sections_with')

@@ -1532,14 +1532,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_intersections");
     {
-        let sphere = Spline::sphere(
-            nurbs::Placement {
-                ..Default::default()
-            },
-            1.0,
-            0,
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
         )?;
-        let found = Meet::surfaces(&given.surface, &sphere, 0.01)?;
+        let found = Meet::surfaces(&wall, &given.surface, 0.1)?;
         show("out", &found);
     }
     begin("model_sections");
@@ -1792,14 +1793,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("meet_branch_second");
     {
-        let sphere = Spline::sphere(
-            nurbs::Placement {
-                ..Default::default()
-            },
-            1.0,
-            0,
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
         )?;
-        let crossing = Meet::surfaces(&given.surface, &sphere, 0.001)?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
         let found = crossing.branch_second(0)?;
         show("on_second", &found);
     }
@@ -1813,14 +1815,15 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("meet_nodes_second");
     {
-        let sphere = Spline::sphere(
-            nurbs::Placement {
-                ..Default::default()
-            },
-            1.0,
-            0,
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
         )?;
-        let crossing = Meet::surfaces(&given.surface, &sphere, 0.001)?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
         let found = crossing.nodes_second()?;
         show("params", &found.params);
         show("ranges", &found.ranges);
@@ -2286,17 +2289,18 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_intersections_with");
     {
-        let sphere = Spline::sphere(
-            nurbs::Placement {
-                ..Default::default()
-            },
-            1.0,
-            0,
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
         )?;
         let found = Meet::surfaces_with(
+            &wall,
             &given.surface,
-            &sphere,
-            0.01,
+            0.1,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

@@ -963,11 +963,11 @@ const Call group[] = {
      }},
     {"surface_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_sphere(in, make_sphere);
-         if (made_sphere.status() != NURBS_OK) {
-             return made_sphere.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
-         return nurbs_surface_intersections(in.surface, made_sphere, 0.01, &o.meet);
+         return nurbs_surface_intersections(made_wall, in.surface, 0.1, &o.meet);
      }},
     {"model_sections",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1211,9 +1211,9 @@ const Call group[] = {
      }},
     {"meet_branch_second",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_sphere(in, make_sphere);
-         if (made_sphere.status() != NURBS_OK) {
-             return made_sphere.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
          Made made_crossing(in, make_crossing);
          if (made_crossing.status() != NURBS_OK) {
@@ -1227,9 +1227,9 @@ const Call group[] = {
      }},
     {"meet_nodes_second",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_sphere(in, make_sphere);
-         if (made_sphere.status() != NURBS_OK) {
-             return made_sphere.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
          Made made_crossing(in, make_crossing);
          if (made_crossing.status() != NURBS_OK) {
@@ -1699,13 +1699,13 @@ const Call group[] = {
      }},
     {"surface_intersections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_sphere(in, make_sphere);
-         if (made_sphere.status() != NURBS_OK) {
-             return made_sphere.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_surface_intersections_with(in.surface, made_sphere, 0.01, &call, &o.meet);
+         return nurbs_surface_intersections_with(made_wall, in.surface, 0.1, &call, &o.meet);
      }},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

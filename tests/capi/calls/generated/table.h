@@ -280,6 +280,7 @@ nurbs_status make_round(const Inputs &in, nurbs **out);
 nurbs_status make_diagonal(const Inputs &in, nurbs **out);
 nurbs_status make_square(const Inputs &in, nurbs **out);
 nurbs_status make_sphere(const Inputs &in, nurbs **out);
+nurbs_status make_wall(const Inputs &in, nurbs **out);
 nurbs_status make_edges(const Inputs &in, nurbs_list **out);
 nurbs_status make_faces(const Inputs &in, nurbs_list **out);
 nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out);
