@@ -3,6 +3,7 @@
 
 #include "base/limits.h"
 #include "base/numbers.h"
+#include "base/scratch.h"
 #include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "numeric/norm.h"
@@ -43,6 +44,7 @@ AxisLayers layers_along(size_t axis, const std::array<int, 2> &degrees) noexcept
 std::vector<double> derivative(const AxisLayers &layers, double factor, const double *records) {
     std::vector<double> result;
     const auto inner = static_cast<size_t>(layers.inner);
+    result.reserve(static_cast<size_t>(layers.outer * layers.degree) * inner);
     for (int64_t o = 0; o < layers.outer; ++o, records += inner) {
         for (int i = 0; i < layers.degree; ++i, records += inner) {
             for (size_t c = 0; c < inner; ++c) {
@@ -204,11 +206,13 @@ bool CrossCell::prepare() {
     if (state_ != State::unknown) {
         return state_ == State::positive;
     }
-    std::vector<double> wide(records_.size()), half(records_.size());
+    std::vector<double> wide(records_.size());
+    Scratch scratch(records_.size());
+    double *const half = scratch.take(records_.size());
     const auto &[p, q] = piece_->degrees;
     const auto &widenings = piece_->ground->widenings;
-    apply(widenings[0], layers_along(0, piece_->degrees), records_.data(), half.data());
-    apply(widenings[1], layers_along(1, piece_->degrees), half.data(), wide.data());
+    apply(widenings[0], layers_along(0, piece_->degrees), records_.data(), half);
+    apply(widenings[1], layers_along(1, piece_->degrees), half, wide.data());
     count_work((p + q + 8) * std::ssize(wide));
     weights_ = {infinity, 0};
     for (size_t i = 3; i < wide.size(); i += width) {
@@ -223,16 +227,16 @@ bool CrossCell::prepare() {
     return true;
 }
 
-void CrossCell::set_wide(const std::vector<double> &records) {
+// The records become those about the centre.
+void CrossCell::set_wide(std::vector<double> &records) {
     constexpr std::array<double, 2> middle{0.5, 0.5};
     const CrossPiece::Point point = piece_->evaluate(in_piece(middle.data()));
     centre_ = point.at;
     slope_ = {length_[0] * point.slope[0], length_[1] * point.slope[1]};
     const std::array<double, 2> turns{length_[0] * point.turn[0], length_[1] * point.turn[1]};
-    std::vector<double> from_centre = records;
     points_.resize(records.size() / width * 3);
     for (size_t i = 0; i < records.size() / width; ++i) {
-        double *record = from_centre.data() + width * i;
+        double *record = records.data() + width * i;
         const Vector3 a{record[0] - record[3] * centre_.x, record[1] - record[3] * centre_.y,
                         record[2] - record[3] * centre_.z};
         record[0] = a.x;
@@ -245,7 +249,7 @@ void CrossCell::set_wide(const std::vector<double> &records) {
         reach_ = std::max(reach_, numeric::length(from));
     }
     for (size_t k = 0; k < 2; ++k) {
-        set_slopes(from_centre, k, turns[k]);
+        set_slopes(records, k, turns[k]);
     }
 }
 

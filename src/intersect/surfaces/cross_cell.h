@@ -120,7 +120,7 @@ public:
 private:
     [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side, of the piece
     void set_box();
-    void set_wide(const std::vector<double> &records);
+    void set_wide(std::vector<double> &records);
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
     void set_slopes(const std::vector<double> &records, size_t axis, double turn);
     [[nodiscard]] size_t axis_of_halves() const noexcept;
