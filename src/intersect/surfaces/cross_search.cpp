@@ -106,8 +106,8 @@ CrossParts CrossSearch::run(double tolerance) {
 // Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other.
 void CrossSearch::settle_crowds() {
     crowded_ = crowded_ || flat_.size() > most_flat || alike_ > most_alike;
-    for (const Pair &pair : flat_) {
-        crowded_ ? add(pair, true) : halve(pair, pair.a->size() >= pair.b->size());
+    for (const auto &[pair, first] : flat_) {
+        crowded_ ? add(pair, true) : halve(pair, first);
     }
     flat_.clear();
     alike_ = 0;
@@ -227,14 +227,16 @@ void CrossSearch::look_at_flat(const Pair &pair) {
     if (thickness < 0) {
         return;
     }
+    const bool first =
+        box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size();
     if (thickness <= thick * error) {
         if (!pair.graph) {
             add(pair, thickness <= tolerance_);
         }
     } else if (thickness <= tolerance_ || are_along(pair)) {
-        flat_.push_back(pair);
+        flat_.push_back({pair, first});
     } else {
-        halve(pair, box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size());
+        halve(pair, first);
     }
 }
 

@@ -71,7 +71,12 @@ private:
     Side a_, b_;
     double tolerance_ = 0;
     std::vector<std::pair<PairCell *, PairCell *>> stack_;
-    std::vector<Pair> pairs_, next_, flat_;
+    struct FlatPair {
+        Pair pair;
+        bool first; // which of both is halved
+    };
+    std::vector<Pair> pairs_, next_;
+    std::vector<FlatPair> flat_;
     size_t alike_ = 0; // pairs of this size of which one lies on the other
     bool crowded_ = false;
     ArcFinder finder_;
