@@ -20,7 +20,7 @@ std::array<double, 3> coordinates(const Vector3 &a) noexcept {
     return {a.x, a.y, a.z};
 }
 
-int samples_for(const std::array<int, 2> &a, const std::array<int, 2> &b) noexcept {
+int degree_of_differences(const std::array<int, 2> &a, const std::array<int, 2> &b) noexcept {
     return 3 * (std::max(a[0] + a[1], b[0] + b[1]) + 1);
 }
 
@@ -28,9 +28,7 @@ int samples_for(const std::array<int, 2> &a, const std::array<int, 2> &b) noexce
 
 CrossFitter::CrossFitter(const std::array<int, 2> &degrees_a, const std::array<int, 2> &degrees_b,
                          double tolerance)
-    : tolerance_(tolerance),
-      factor_(1.01 * (1 + 2 / std::numbers::pi * std::log(samples_for(degrees_a, degrees_b) + 1.0))),
-      samples_(samples_for(degrees_a, degrees_b)) {
+    : tolerance_(tolerance), samples_(2 * degree_of_differences(degrees_a, degrees_b)) {
     const int most = std::max({degrees_a[0], degrees_a[1], degrees_b[0], degrees_b[1]});
     sampling_.resize(16 * (static_cast<size_t>(most) + 1));
 }
@@ -132,7 +130,8 @@ double CrossFitter::largest_gap(const CrossSegment &segment, size_t surface) {
     }
     const SampledPiece piece{{cell.piece().degrees, cell.piece().piece.record(0)}, no_form.data(), {}};
     count_work(static_cast<int64_t>(samples_.count()) * 4 * cell.piece().piece.coefficients());
-    return factor_ * largest_differences(piece, samples_, on, segment.space, sampling_.data()).gap /
+    return 1.01 * std::numbers::sqrt2 *
+           largest_differences(piece, samples_, on, segment.space, sampling_.data()).gap /
            cell.least_weight();
 }
 
