@@ -154,9 +154,8 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
     return range.upper - range.lower > little ? Verdict::open : Verdict::nothing;
 }
 
-// Along the tangent to the side that it meets first, and on that side to the curve; then to any other side beyond which that
-// is. way: 1 or -1, of coordinate k.
-bool ArcFinder::find_end(double way, CrossEnd &end) const {
+// Where the tangent at inside_ leaves the box; end is on that side. way: 1 or -1, of coordinate k.
+CrossPlace ArcFinder::leave(double way, CrossEnd &end) const {
     const CrossBox::Value value = box_->at(inside_);
     const CrossPlace along =
         common_direction({value.a.slope[0], value.a.slope[1]}, {value.b.slope[0], value.b.slope[1]});
@@ -172,35 +171,45 @@ bool ArcFinder::find_end(double way, CrossEnd &end) const {
             end.side = side;
         }
     }
-    const double noise = box_->chart.norm() * box_->chart.near() + 8 * eps; // sides meet in corners
-    CrossPlace start = inside_;
+    CrossPlace place{};
     for (size_t i = 0; i < 4; ++i) {
-        start[i] = std::clamp(inside_[i] + first * unit * along[i], -widening, most_place);
+        place[i] = std::clamp(inside_[i] + first * unit * along[i], -widening, most_place);
     }
+    return place;
+}
+
+// Moves an end to the other side beyond which it is farthest, if it is beyond any by more than rounding: sides meet in corners.
+bool ArcFinder::is_beyond(CrossEnd &end) const {
+    double beyond = box_->chart.norm() * box_->chart.near() + 8 * eps;
+    const size_t own = end.coordinate;
+    bool any = false;
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+            const double by = (side == 1 ? 1 : -1) * (end.at[i] - box_->side(i, side));
+            if (i != own && by > beyond) {
+                beyond = by;
+                end.coordinate = i;
+                end.side = side;
+                any = true;
+            }
+        }
+    }
+    return any;
+}
+
+// Along the tangent to the side that it meets first, and on that side to the curve; then to any other side beyond which that
+// is.
+bool ArcFinder::find_end(double way, CrossEnd &end) const {
+    const size_t k = box_->chart.axis();
+    end.at = leave(way, end);
     for (int tries = 0; tries < most_sides; ++tries) {
-        end.at = start;
         end.at[end.coordinate] = box_->side(end.coordinate, end.side);
         if (!box_->solve(end.coordinate, end.at)) {
             return false;
         }
-        double beyond = 0;
-        size_t coordinate = 0, side = 0;
-        for (size_t i = 0; i < 4; ++i) {
-            for (size_t s = 0; s < 2; ++s) {
-                const double by = (s == 1 ? 1 : -1) * (end.at[i] - box_->side(i, s));
-                if (i != end.coordinate && by > std::max(beyond, noise)) {
-                    beyond = by;
-                    coordinate = i;
-                    side = s;
-                }
-            }
+        if (!is_beyond(end)) {
+            return way * (end.at[k] - inside_[k]) >= 0;
         }
-        if (beyond == 0) {
-            return way * (end.at[box_->chart.axis()] - inside_[box_->chart.axis()]) >= 0;
-        }
-        start = end.at;
-        end.coordinate = coordinate;
-        end.side = side;
     }
     return false;
 }

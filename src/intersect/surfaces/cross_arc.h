@@ -60,6 +60,8 @@ private:
     // Leaves of a range of coordinate k what zeros of the box may have, where values of F are off by `near`; z0: any place, with the step
     // M F there.
     void clip(const CrossPlace &z0, const CrossPlace &step, double near, Interval &range) const;
+    CrossPlace leave(double way, CrossEnd &end) const;
+    bool is_beyond(CrossEnd &end) const;
     bool find_end(double way, CrossEnd &end) const;
     void move_to_border(CrossEnd &end) const;
     [[nodiscard]] bool stays(size_t coordinate) const;

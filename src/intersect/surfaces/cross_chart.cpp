@@ -78,6 +78,33 @@ bool CrossChart::set_rows(const CrossCell &a, const CrossCell &b) {
     return std::isfinite(most_norm_);
 }
 
+// Row i of M F, M F'_k and I - M F'; false: M F is nowhere 0.
+bool CrossChart::set_row(size_t i, const CrossCell &a, const CrossCell &b) {
+    const CrossExtents of_a = a.along(rows_[i]), of_b = b.along(rows_[i]);
+    const double middle = dot(rows_[i], a.centre() - b.centre()),
+                 room = 2 * norms_[i] * (a.error() + b.error()) + 8 * eps * std::abs(middle);
+    if (middle + of_a.points.lower - of_b.points.upper > room ||
+        middle + of_a.points.upper - of_b.points.lower < -room) {
+        return false;
+    }
+    const std::array<Interval, 4> columns{of_a.slopes[0], of_a.slopes[1], negative(of_b.slopes[0]),
+                                          negative(of_b.slopes[1])};
+    std::array<double, 2> off{};
+    for (size_t k = 0; k < 4; ++k) {
+        if (k != axis_) {
+            const double wanted = k == i ? 1 : 0;
+            off[k / 2] += largest_of({columns[k].lower - wanted, columns[k].upper - wanted});
+        }
+    }
+    shifts_[i] = columns[axis_];
+    rho_[i] = 1.0001 * (off[0] + off[1]) + 32 * eps;
+    off[axis_ / 2] += (shifts_[i].upper - shifts_[i].lower) / 2;
+    for (size_t s = 0; s < 2; ++s) {
+        bends_[s] = std::max(bends_[s], off[s]);
+    }
+    return true;
+}
+
 CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
     near_ = 1.01 * (a.piece().error + b.piece().error);
     count_work(400);
@@ -85,36 +112,15 @@ CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
     if (!has_rows_) {
         return Verdict::flat;
     }
-    const Vector3 between = a.centre() - b.centre();
-    std::array<double, 2> most_off{};
+    bends_ = {};
     most_rho_ = 0;
     for (const size_t i : others_of(axis_)) {
-        const CrossExtents of_a = a.along(rows_[i]), of_b = b.along(rows_[i]);
-        count_work(30 * (std::ssize(of_a.slopes) + 24));
-        const double middle = dot(rows_[i], between),
-                     room = 2 * norms_[i] * (a.error() + b.error()) + 8 * eps * std::abs(middle);
-        if (middle + of_a.points.lower - of_b.points.upper > room ||
-            middle + of_a.points.upper - of_b.points.lower < -room) {
+        count_work(800);
+        if (!set_row(i, a, b)) {
             return Verdict::apart;
         }
-        const std::array<Interval, 4> columns{of_a.slopes[0], of_a.slopes[1], negative(of_b.slopes[0]),
-                                              negative(of_b.slopes[1])};
-        std::array<double, 2> off{};
-        for (size_t k = 0; k < 4; ++k) {
-            if (k != axis_) {
-                const double wanted = k == i ? 1 : 0;
-                off[k / 2] += largest_of({columns[k].lower - wanted, columns[k].upper - wanted});
-            }
-        }
-        shifts_[i] = columns[axis_];
-        off[axis_ / 2] += (columns[axis_].upper - columns[axis_].lower) / 2;
-        rho_[i] = 1.0001 * (off[0] + off[1] - (columns[axis_].upper - columns[axis_].lower) / 2) + 32 * eps;
         most_rho_ = std::max(most_rho_, rho_[i]);
-        for (size_t s = 0; s < 2; ++s) {
-            most_off[s] = std::max(most_off[s], off[s]);
-        }
     }
-    first_bends_more_ = most_off[0] > most_off[1];
     shifts_[axis_] = {-1, -1};
     rho_[axis_] = 0;
     if (!(most_rho_ <= most_rho) || !(most_norm_ * near_ < least_digits)) {

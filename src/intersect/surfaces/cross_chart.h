@@ -41,7 +41,7 @@ public:
     // Whether M exists.
     [[nodiscard]] bool has_rows() const noexcept { return has_rows_; }
     // If so: whether the first part bends more than the second one.
-    [[nodiscard]] bool first_bends_more() const noexcept { return first_bends_more_; }
+    [[nodiscard]] bool first_bends_more() const noexcept { return bends_[0] > bends_[1]; }
     // How far values of F may be off.
     [[nodiscard]] double near() const noexcept { return near_; }
     // 1 if the way along N_b x N_a has a rising coordinate k, else -1.
@@ -49,6 +49,7 @@ public:
 
 private:
     bool set_rows(const CrossCell &a, const CrossCell &b);
+    bool set_row(size_t i, const CrossCell &a, const CrossCell &b);
     void set_rises() noexcept;
 
     size_t axis_ = 0;
@@ -57,7 +58,8 @@ private:
     std::array<Interval, 4> shifts_{}, rises_{};
     double most_rho_ = infinity, most_norm_ = 0, near_ = 0;
     int direction_ = 0;
-    bool has_rows_ = false, first_bends_more_ = false;
+    std::array<double, 2> bends_{}; // of both parts: what they add to rho
+    bool has_rows_ = false;
 };
 
 // The null vector (u', v', s', t') of (a_0, a_1, -b_0, -b_1) for which a_0 u' + a_1 v' = N_b x N_a.
