@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/levels/trace/cluster_groups.h"
+#include "intersect/surfaces/cross_spot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,55 +20,10 @@ namespace {
 constexpr double one_place = 32 * shift_of_sides, no_length = 16 * shift_of_sides;
 constexpr size_t unmatched = static_cast<size_t>(-1);
 
-// A place on both surfaces, in parts of pieces.
-struct CrossSpot {
-    std::array<int64_t, 4> index{};
-    std::array<double, 4> place{}, parameter{};
-    std::array<double, 4> noise{}; // of places
-};
-
-// How far places of an end differ that are found in different boxes: as much as rounding makes of them, which is a small part
-// of its bounds. On a side the coordinate k is off by what that makes of the way to the side.
-CrossPlace noise_of(const CrossChart &chart, const CrossEnd &end) noexcept {
-    constexpr double part = 0.25, most_noise = 0x1p-8;
-    const size_t k = chart.axis();
-    CrossPlace noise{};
-    for (size_t i = 0; i < 4; ++i) {
-        noise[i] = i == k ? 0 : part * chart.norm(i) * chart.near();
-    }
-    if (end.coordinate != k) {
-        const Interval &rise = chart.rise(end.coordinate);
-        noise[k] = std::min(noise[end.coordinate] / std::abs(rise.lower / 2 + rise.upper / 2), most_noise);
-        for (size_t i = 0; i < 4; ++i) {
-            noise[i] +=
-                i == k ? 0
-                       : std::max(std::abs(chart.rise(i).lower), std::abs(chart.rise(i).upper)) * noise[k];
-        }
-    }
-    return noise;
-}
-
-CrossSpot spot_of(const CrossArc &arc, const CrossEnd &end) noexcept {
-    CrossSpot spot;
-    const CrossPlace noise = noise_of(arc.box.chart, end);
-    for (size_t i = 0; i < 4; ++i) {
-        const CrossCell &cell = arc.box.cell(i);
-        const CrossPiece &piece = cell.piece();
-        const size_t k = i % 2;
-        const double x = cell.lower(k) + cell.length(k) * end.at[i];
-        const double part = piece.within[k].upper - piece.within[k].lower;
-        spot.index[i] = piece.index[k];
-        spot.place[i] = piece.within[k].lower + part * x;
-        spot.noise[i] = part * cell.length(k) * noise[i];
-        spot.parameter[i] = piece.range[k].lower * (1 - x) + piece.range[k].upper * x;
-    }
-    return spot;
-}
-
 class CrossJoining {
 public:
     CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossParts &found)
-        : surfaces_{&a, &b}, found_(found), next_(found.arcs.size(), unmatched),
+        : surfaces_{&a, &b}, distances_(a, b), found_(found), next_(found.arcs.size(), unmatched),
           last_(found.arcs.size(), unmatched), taken_(found.arcs.size(), false) {}
 
     CrossChains run() {
@@ -96,58 +52,19 @@ private:
         return surfaces_[i / 2]->borders.is_periodic(i % 2);
     }
     [[nodiscard]] int64_t count(size_t i) const noexcept { return grid(i).count(static_cast<int>(i % 2)); }
-    [[nodiscard]] double length(size_t i, int64_t index) const noexcept {
-        const int axis = static_cast<int>(i % 2);
-        return grid(i).break_at(axis, index + 1) - grid(i).break_at(axis, index);
-    }
-
     // Arcs in corners of boxes are places.
     void set_spots() {
         for (size_t arc = 0; arc < found_.arcs.size(); ++arc) {
             for (size_t end = 0; end < 2; ++end) {
                 spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end]));
             }
-            lengths_.push_back(length_of(spots_[0][arc], spots_[1][arc]));
+            lengths_.push_back(length_of(spots_[0][arc], spots_[1][arc], no_length));
             taken_[arc] = lengths_[arc] <= 1;
         }
     }
 
-    // Of one piece, in parts of what sides are shifted by and of the noise of both.
-    static double length_of(const CrossSpot &a, const CrossSpot &b) noexcept {
-        double most = 0;
-        for (size_t i = 0; i < 4; ++i) {
-            most = std::max(most, std::abs(a.place[i] - b.place[i]) / (no_length + a.noise[i] + b.noise[i]));
-        }
-        return most;
-    }
     // Whether an arc may be rounding alone.
     [[nodiscard]] bool is_short(size_t arc) const noexcept { return lengths_[arc] <= 64; }
-
-    // In parts of a room and of the noise of both.
-    [[nodiscard]] double apart(const CrossSpot &a, const CrossSpot &b, double room) const noexcept {
-        constexpr double far = 64;
-        double most = 0;
-        for (size_t i = 0; i < 4 && most < far; ++i) {
-            most = std::max(most, apart_along(a, b, i) / (room + a.noise[i] + b.noise[i]));
-        }
-        return most;
-    }
-    // Of pieces side by side in parts of the smaller one.
-    [[nodiscard]] double apart_along(const CrossSpot &a, const CrossSpot &b, size_t i) const noexcept {
-        const double x = a.place[i], y = b.place[i];
-        double least = a.index[i] == b.index[i] ? std::abs(x - y) : infinity;
-        const auto beside = [&](const CrossSpot &lower, const CrossSpot &upper) {
-            const int64_t next = lower.index[i] + 1, n = count(i);
-            if (upper.index[i] == next || (next == n && upper.index[i] == 0 && wraps(i))) {
-                const double below = length(i, lower.index[i]), above = length(i, upper.index[i]);
-                least = std::min(least, std::abs((1 - lower.place[i]) * below + upper.place[i] * above) /
-                                            std::min(below, above));
-            }
-        };
-        beside(a, b);
-        beside(b, a);
-        return least;
-    }
 
     // First in the same places, then what noise, or a short arc that goes on in none, is between.
     void match_all() {
@@ -211,7 +128,7 @@ private:
         for (; begin != begins.end() && begin->first <= at + window; ++begin) {
             count_work(40);
             const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
-            const double far = apart(end, start, one_place);
+            const double far = distances_.apart(end, start, one_place);
             if (far <= wide && !(begin->second == arc && is_short(arc))) {
                 matches.push_back({far, arc, begin->second});
             }
@@ -310,7 +227,7 @@ private:
     // rounding hides them.
     [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
-            const double room = (one_place + 16 * spot.noise[i]) * length(i, spot.index[i]) +
+            const double room = (one_place + 16 * spot.noise[i]) * distances_.length(i, spot.index[i]) +
                                 ranges[i].upper - ranges[i].lower,
                          at = spot.parameter[i];
             const double period = wraps(i) ? surfaces_[i / 2]->borders.period(i % 2) : 0;
@@ -387,6 +304,7 @@ private:
     }
 
     std::array<const CrossSurface *, 2> surfaces_;
+    CrossDistances distances_;
     const CrossParts &found_;
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
     std::vector<size_t> next_, last_;             // arcs

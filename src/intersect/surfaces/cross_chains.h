@@ -4,6 +4,7 @@
 
 #include "intersect/levels/level_meet.h"
 #include "intersect/surfaces/cross_search.h"
+#include "intersect/surfaces/cross_spot.h"
 
 namespace nrb::intersect {
 
@@ -17,12 +18,6 @@ struct CrossChain {
 struct CrossChains {
     std::vector<MeetNode> nodes; // of level 0
     std::vector<CrossChain> chains;
-};
-
-// What joins the pieces of a surface.
-struct CrossSurface {
-    const pieces::PieceGrid &grid;
-    const SurfaceBorders &borders;
 };
 
 // An end goes on in the beginning next to it, no farther away than what rounding, and kinks beside the sides of boxes, make of
