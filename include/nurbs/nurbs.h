@@ -5866,6 +5866,8 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, along curves or in
  *   regions; a derivative vanishes, as at poles; or the limit of work came first. Parts that hang together are one node.
  *
+ * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
+ *
  * Outside of these the branches are all there is, to within their deviations. Only curves are told: where just
  * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds for each pair
  * of pieces that meet, and for each piece of a curve. Where surfaces are one in a region, it is the number of pairs
@@ -5918,7 +5920,7 @@ NURBS_API nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branch
  * \param[out] loops [cap] or NULL: the closed way that it is a part of, or all of, 0-based; those of one way follow
  *   each other in its direction, from one seam to the next. -1: none.
  * \param[out] deviations [cap] or NULL: a proven bound of the distance, in space, of the curve in space from the
- *   section, and of the surface over the curve in the parameter domain from it. Larger than the tolerance only where
+ *   section, and of the surface over the curve in the parameter domain from it; of two surfaces over both. Larger than the tolerance only where
  *   rounding or the limit of work prevents it; INFINITY: nothing is proven.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
@@ -6024,7 +6026,8 @@ NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, in
  * \param[in] meet of the surface of the face, or one with the same parameters.
  * \param[in] face a face.
  * \param[out] out the new meet.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are trimmed.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are
+ *   trimmed, and for meets of two surfaces.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
 
