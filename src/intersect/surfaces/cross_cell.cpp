@@ -87,7 +87,11 @@ CrossPiece::CrossPiece(pieces::BezierPiece made, const CrossGround &of)
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
         largest_weight = std::max(largest_weight, piece.weight(i));
     }
-    error = piece.moved() + (2 * (degrees[0] + degrees[1]) + 8) * eps * piece.reach();
+    // Bernstein functions are off by 3 / 2 eps for each degree, which moves means by as much of how far points are apart; sums
+    // and quotients have one rounding for each term of theirs.
+    const int degrees_of_both = degrees[0] + degrees[1];
+    error = piece.moved() + 1.5 * degrees_of_both * eps * (std::sqrt(3.0) * piece.size()) +
+            (degrees_of_both + 6) * eps * piece.reach();
     set_sides(of.grid, of.borders);
 }
 
