@@ -9,6 +9,7 @@
 #include "base/tolerance.h"
 #include "face/trimmed_meet.h"
 #include "intersect/levels/sections.h"
+#include "intersect/surfaces/surface_surface.h"
 #include "spline/kind.h"
 
 #include <algorithm>
@@ -27,10 +28,39 @@ const intersect::Meet &meet_of(const nurbs_meet *meet) {
     return *meet->meet;
 }
 
+const intersect::Meet &two_surfaces_of(const nurbs_meet *meet) {
+    const intersect::Meet &own = meet_of(meet);
+    if (!own.of_two) {
+        fail(Status::incompatible, "meet is of one surface or of a model, expected one of two surfaces");
+    }
+    return own;
+}
+
 void check_one_surface(const intersect::Meet &meet) {
     const auto is_of_model = [](const auto &of) { return of.face >= 0; };
     if (std::ranges::any_of(meet.nodes, is_of_model) || std::ranges::any_of(meet.branches, is_of_model)) {
         fail(Status::incompatible, "meet is of a model, expected one of a surface");
+    }
+    if (meet.of_two) {
+        fail(Status::incompatible, "meet is of two surfaces, expected one of a surface");
+    }
+}
+
+const intersect::MeetBranch &branch_at(const intersect::Meet &meet, int64_t index) {
+    if (index < 0 || index >= std::ssize(meet.branches)) {
+        fail(Status::index, "index = %lld, expected one of the %zu branches", static_cast<long long>(index),
+             meet.branches.size());
+    }
+    return meet.branches[static_cast<size_t>(index)];
+}
+
+// Node i is at a place of a surface.
+void put_place(const std::array<double, 2> &at, const std::array<Interval, 2> &range, size_t i, double *params,
+               double *ranges) {
+    for (size_t k = 0; k < 2; ++k) {
+        put(params, 2 * i + k, at[k]);
+        put(ranges, 4 * i + 2 * k, range[k].lower);
+        put(ranges, 4 * i + 2 * k + 1, range[k].upper);
     }
 }
 
@@ -55,6 +85,24 @@ nurbs_status nurbs_surface_sections_with(const nurbs *g, const double *normal, i
                                          const double *offsets, double tolerance,
                                          const nurbs_call_options *call, nurbs_meet **out) {
     return watched(call, out, [&] { return nurbs_surface_sections(g, normal, n, offsets, tolerance, out); });
+}
+
+nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *b, double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &first = named(a, "a"), &second = named(b, "b");
+        check_kind(first, 2, "a");
+        check_kind(second, 2, "b");
+        check_dimension(first, 3, 3);
+        check_dimension(second, 3, 3);
+        check_positive_tolerance(tolerance);
+        give_meet(intersect::surface_intersections(first, second, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
+                                              const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_surface_intersections(a, b, tolerance, out); });
 }
 
 nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out) {
@@ -107,18 +155,23 @@ nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **sp
         require(space, "space");
         *space = nullptr;
         require(on_surface, "on_surface");
-        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const intersect::Meet &own = meet_of(meet);
         if (space == on_surface) {
             fail(Status::overlap, "output on_surface overlaps space");
         }
-        if (index < 0 || index >= std::ssize(branches)) {
-            fail(Status::index, "index = %lld, expected one of the %zu branches",
-                 static_cast<long long>(index), branches.size());
-        }
-        const intersect::MeetBranch &branch = branches[static_cast<size_t>(index)];
+        const intersect::MeetBranch &branch = branch_at(own, index);
         auto in_space = std::make_unique<nurbs>(nurbs{branch.space});
         give(branch.on, on_surface);
         *space = in_space.release();
+    });
+}
+
+nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t index, nurbs **on_second) {
+    return guard([&] {
+        require(on_second, "on_second");
+        *on_second = nullptr;
+        const intersect::Meet &own = two_surfaces_of(meet);
+        give(branch_at(own, index).on_second, on_second);
     });
 }
 
@@ -134,11 +187,22 @@ nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *leve
         for (size_t i = 0; std::cmp_less(i, filled); ++i) {
             put(levels, i, nodes[i].level);
             put(kinds, i, static_cast<int32_t>(nodes[i].kind));
-            for (size_t k = 0; k < 2; ++k) {
-                put(params, 2 * i + k, nodes[i].at[k]);
-                put(ranges, 4 * i + 2 * k, nodes[i].range[k].lower);
-                put(ranges, 4 * i + 2 * k + 1, nodes[i].range[k].upper);
-            }
+            put_place(nodes[i].at, nodes[i].range, i, params, ranges);
+        }
+        put(count, int64_t{std::ssize(nodes)});
+    });
+}
+
+nurbs_status nurbs_meet_nodes_second(const nurbs_meet *meet, int64_t cap, double *params, double *ranges,
+                                     int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetNode> &nodes = two_surfaces_of(meet).nodes;
+        const int64_t filled = checked_cap(cap, std::ssize(nodes));
+        check_apart({memory("params", params, 2 * filled), memory("ranges", ranges, 4 * filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put_place(nodes[i].at_second, nodes[i].range_second, i, params, ranges);
         }
         put(count, int64_t{std::ssize(nodes)});
     });

@@ -5855,6 +5855,41 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
                                                        const double *values, double tolerance,
                                                        const nurbs_call_options *call, nurbs_meet **out);
 
+/** \brief Where two surfaces meet in curves: all of them, proven to be all. Pairs of parts of Bezier pieces are halved until, with
+ * F = A(u, v) - B(s, t) and M the inverse of its derivative without one column k, the largest row sum of |I - M F'| over
+ * both parts is below 1: then the common points in them are a graph over parameter k, of which neither a loop nor an end
+ * can be inside, and its ends on the sides of the box are those of its neighbours. So a loop of any size is found as long as
+ * double precision tells both surfaces apart in it. Every branch runs along N_b x N_a with N = S_u x S_v: in the parameter
+ * domain of a the side of b to which its normals point is on the left. Branches close, or end in nodes
+ * - BORDER: one of both surfaces ends or jumps there.
+ * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
+ * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, along curves or in
+ *   regions; a derivative vanishes, as at poles; or the limit of work came first. Parts that hang together are one node.
+ *
+ * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
+ *
+ * Outside of these the branches are all there is, to within their deviations. Only curves are told: where just
+ * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds for each pair
+ * of pieces that meet, and for each piece of a curve. Where surfaces are one in a region, it is the number of pairs
+ * of parts within the tolerance that ends the search.
+ * \param[in] a,b surfaces of dimension 3.
+ * \param[in] tolerance > 0: the largest distance of the curves from the common points.
+ * \param[out] out the new meet; all of it has level 0. nurbs_meet_branch() gives curves in the domain of a,
+ *   nurbs_meet_branch_second() those in the domain of b.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *b, double tolerance,
+                                                   nurbs_meet **out);
+
+/** \brief nurbs_surface_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] a,b,tolerance as for nurbs_surface_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
+                                                        const nurbs_call_options *call, nurbs_meet **out);
+
 /** \brief Another handle on the same meet, in constant time.
  * \param[in] meet a meet.
  * \param[out] out the new handle.
@@ -5885,7 +5920,7 @@ NURBS_API nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branch
  * \param[out] loops [cap] or NULL: the closed way that it is a part of, or all of, 0-based; those of one way follow
  *   each other in its direction, from one seam to the next. -1: none.
  * \param[out] deviations [cap] or NULL: a proven bound of the distance, in space, of the curve in space from the
- *   section, and of the surface over the curve in the parameter domain from it. Larger than the tolerance only where
+ *   section, and of the surface over the curve in the parameter domain from it; of two surfaces over both. Larger than the tolerance only where
  *   rounding or the limit of work prevents it; INFINITY: nothing is proven.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
@@ -5905,6 +5940,15 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space,
                                          nurbs **on_surface);
 
+/** \brief The curve of a branch on the second of two surfaces.
+ * \param[in] meet of nurbs_surface_intersections().
+ * \param[in] index 0-based.
+ * \param[out] on_second the curve in the parameter domain of the second surface, with the knots of those of
+ *   nurbs_meet_branch(). Its control points are in the domain; on a periodic axis it may run into neighbouring periods.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX; _INCOMPATIBLE if the meet is of one surface.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t index, nurbs **on_second);
+
 /** \brief The nodes of a meet: where branches end, and where there may be more than they tell.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
@@ -5918,6 +5962,18 @@ NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, 
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
                                         double *params, double *ranges, int64_t *count);
+
+/** \brief Where the nodes of a meet are on the second of two surfaces.
+ * \param[in] meet of nurbs_surface_intersections().
+ * \param[in] cap length of the outputs: 0, or at least the number of nodes.
+ * \param[out] params [cap][2] or NULL: parameters of the second surface; of a part its middle.
+ * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis.
+ * \param[out] count or NULL: number of nodes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough, _INCOMPATIBLE if the meet
+ *   is of one surface.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_nodes_second(const nurbs_meet *meet, int64_t cap, double *params,
+                                               double *ranges, int64_t *count);
 
 /** \brief The ways that the branches of a meet make, from one to the next. Each branch belongs to one way, and those of a way
  * follow each other in its direction.
@@ -5970,7 +6026,8 @@ NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, in
  * \param[in] meet of the surface of the face, or one with the same parameters.
  * \param[in] face a face.
  * \param[out] out the new meet.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are trimmed.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are
+ *   trimmed, and for meets of two surfaces.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
 

@@ -299,6 +299,14 @@ class Sections(unittest.TestCase):
         self.assertEqual((meet.counts, meet.branches.levels.tolist()), ((1, 2, True), [1]))
         near(meet.branch(0).space.length().value, 2, by=1e-8)
 
+    def test_of_two_surfaces(self):
+        meet = nurbs.sphere(2).surface_intersections(nurbs.plane([5, 0, 0], [0, 5, 0], [-1, -1, 1]), 1e-6, work=10**9)
+        self.assertEqual((meet.counts, meet.ways.closed.tolist()), ((2, 4, True), [0]))
+        (space, on_ball), on_plane = meet.branch(0), meet.branch_second(0)
+        near(on_plane(on_plane.domain[0]), (space(space.domain[0])[:, :2] + 1) / 5)
+        self.assertEqual(on_plane.knots[0].tolist(), on_ball.knots[0].tolist())
+        near(meet.nodes_second.params, meet.nodes_second.ranges[:, :, 0])
+
     def test_contours(self):
         ball = nurbs.sphere(2)
         self.assertEqual(ball.contours(nurbs.NURBS_CONTOUR_SILHOUETTE, [0, 0, 1], tolerance=1e-6).counts.branches, 1)

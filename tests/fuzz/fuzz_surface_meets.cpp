@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meets of curves and surfaces: a place where they meet is in the range of a hit, whatever they are.
+// Meets of curves and surfaces, and of two surfaces: a place where they meet is in the range of a hit, whatever they are; what
+// is told of branches and nodes on both surfaces holds.
 #include "fuzz/harness.h"
 
 #include <algorithm>
@@ -63,6 +64,48 @@ void meet(const nurbs *curve, const nurbs *surface, double tolerance, int64_t wo
     }
 }
 
+// Branches have three curves with common knots, and nodes are in ranges on both surfaces.
+void look_at(const nurbs_meet *found) {
+    int64_t branches = 0, nodes = 0;
+    int32_t complete = -1;
+    FUZZ_REQUIRE(nurbs_meet_counts(found, &branches, &nodes, &complete) == NURBS_OK);
+    const auto n = static_cast<size_t>(nodes);
+    std::vector<int32_t> kinds(n);
+    std::vector<double> params(2 * n), ranges(4 * n);
+    FUZZ_REQUIRE(nurbs_meet_nodes(found, nodes, nullptr, kinds.data(), nullptr, nullptr, nullptr) ==
+                 NURBS_OK);
+    FUZZ_REQUIRE(nurbs_meet_nodes_second(found, nodes, params.data(), ranges.data(), nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(complete == (std::ranges::count(kinds, NURBS_NODE_UNDECIDED) == 0 ? 1 : 0));
+    for (size_t i = 0; i < 2 * n; ++i) {
+        FUZZ_REQUIRE(ranges[2 * i] <= params[i] && params[i] <= ranges[2 * i + 1]);
+    }
+    for (int64_t i = 0; i < std::min<int64_t>(branches, 16); ++i) {
+        nurbs *space = nullptr, *on = nullptr, *on_second = nullptr;
+        FUZZ_REQUIRE(nurbs_meet_branch(found, i, &space, &on) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_meet_branch_second(found, i, &on_second) == NURBS_OK);
+        double domain[2], other[2];
+        FUZZ_REQUIRE(nurbs_domain(space, 0, domain) == NURBS_OK && domain[0] < domain[1]);
+        FUZZ_REQUIRE(nurbs_domain(on_second, 0, other) == NURBS_OK);
+        FUZZ_REQUIRE(domain[0] == other[0] && domain[1] == other[1]);
+        nurbs_destroy(space);
+        nurbs_destroy(on);
+        nurbs_destroy(on_second);
+    }
+}
+
+void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t work) {
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = work;
+    nurbs_meet *found = nullptr;
+    if (FUZZ_OK(nurbs_surface_intersections_with(a, b, tolerance, &call, &found))) {
+        look_at(found);
+        nurbs_meet_destroy(found);
+    } else {
+        FUZZ_REQUIRE(found == nullptr);
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -78,6 +121,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     int64_t count = 0;
     FUZZ_OK(nurbs_curve_surface_intersections(surface.get(), surface.get(), tolerance, 0, nullptr, nullptr,
                                               nullptr, nullptr, nullptr, &count, nullptr));
+    const fuzz::Handle second(fuzz::create(in_space(in, 2)));
+    nurbs_meet *rarely = nullptr;
+    if (FUZZ_OK(nurbs_surface_intersections(curve.get(), curve.get(), tolerance, &rarely))) {
+        look_at(rarely);
+        nurbs_meet_destroy(rarely);
+    }
+    if (second) {
+        meet_surfaces(surface.get(), second.get(), tolerance, 200000);
+        meet_surfaces(surface.get(), surface.get(), tolerance, in.below(20000) + 1);
+    }
     nurbs *side = nullptr;
     double domain[2];
     if (FUZZ_OK(nurbs_domain(surface.get(), 0, domain)) &&

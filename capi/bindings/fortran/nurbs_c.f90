@@ -3170,6 +3170,24 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_level_curves_with
+        !> Where two surfaces meet in curves: all of them, proven to be all.
+        function nurbs_surface_intersections(a, b, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_intersections
+        !> nurbs_surface_intersections() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_surface_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_intersections_with
         !> Another handle on the same meet, in constant time.
         function nurbs_meet_clone(meet, out) bind(c) result(r)
             import
@@ -3207,6 +3225,14 @@ module nurbs_c
             type(c_ptr), intent(out) :: space, on_surface
             integer(c_int32_t) :: r
         end function nurbs_meet_branch
+        !> The curve of a branch on the second of two surfaces.
+        function nurbs_meet_branch_second(meet, index, on_second) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: index
+            type(c_ptr), intent(out) :: on_second
+            integer(c_int32_t) :: r
+        end function nurbs_meet_branch_second
         !> The nodes of a meet: where branches end, and where there may be more than they tell.
         function nurbs_meet_nodes(meet, cap, levels, kinds, params, ranges, count) bind(c) result(r)
             import
@@ -3217,6 +3243,15 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), ranges(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes
+        !> Where the nodes of a meet are on the second of two surfaces.
+        function nurbs_meet_nodes_second(meet, cap, params, ranges, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), ranges(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_nodes_second
         !> The ways that the branches of a meet make, from one to the next.
         function nurbs_meet_ways(meet, cap, levels, firsts, sizes, closes, gaps, count) bind(c) result(r)
             import

@@ -6,10 +6,12 @@ module nurbs_meets
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
-        nurbs_surface_level_curves, nurbs_meet_counts, nurbs_meet_branches, nurbs_meet_branch, nurbs_meet_nodes, &
-        nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, &
-        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
-        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_model_sections_with, nurbs_meet_trim_with
+        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_meet_counts, nurbs_meet_branches, &
+        nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, nurbs_meet_nodes_second, nurbs_meet_ways, &
+        nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, nurbs_surface_sections_with, &
+        nurbs_surface_contours_with, nurbs_surface_reflections_with, nurbs_surface_level_with, &
+        nurbs_surface_level_curves_with, nurbs_surface_intersections_with, nurbs_model_sections_with, &
+        nurbs_meet_trim_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -22,8 +24,8 @@ module nurbs_meets
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, reflections, level, level_curves, counts, branches, branch, nodes, ways, faces
-        procedure :: joints, model_sections, trimmed
+        procedure :: sections, contours, reflections, level, level_curves, surfaces, counts, branches, branch
+        procedure :: branch_second, nodes, nodes_second, ways, faces, joints, model_sections, trimmed
     end type nurbs_meet
 
 contains
@@ -141,6 +143,24 @@ contains
         call settle(code, status)
     end subroutine level_curves
 
+    !> Where two surfaces meet in curves, proven to be all.
+    subroutine surfaces(this, a, b, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: a, b
+        real(c_double), intent(in) :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_surface_intersections_with(a%handle, b%handle, tolerance, watched(call), made)
+        else
+            code = nurbs_surface_intersections(a%handle, b%handle, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine surfaces
+
     !> How much it holds.
     subroutine counts(this, branches, nodes, complete, status)
         class(nurbs_meet), intent(in) :: this
@@ -192,6 +212,19 @@ contains
         call settle(code, status)
     end subroutine branch
 
+    !> The curve of a branch in the parameter domain of the second of two surfaces.
+    subroutine branch_second(this, index, on_second, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int32_t), intent(in) :: index
+        type(nurbs_spline), intent(inout) :: on_second
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        code = nurbs_meet_branch_second(this%handle, index - 1_c_int64_t, made)
+        call on_second%replace(made)
+        call settle(code, status)
+    end subroutine branch_second
+
     !> Of each node its plane, one of the NURBS_NODE_ constants, params(n, 2) of the surface, and ranges(n, 4): the
     !> lower and upper end of the part on the first axis, and on the second one.
     subroutine nodes(this, levels, kinds, params, ranges, status)
@@ -214,6 +247,24 @@ contains
         if (code == NURBS_OK) levels = levels + 1
         call settle(code, status)
     end subroutine nodes
+
+    !> Of each node params(n, 2) of the second surface, and ranges(n, 4): the lower and upper end of the part on the
+    !> first axis, and on the second one.
+    subroutine nodes_second(this, params, ranges, status)
+        class(nurbs_meet), intent(in) :: this
+        real(c_double), allocatable, intent(inout) :: params(:, :), ranges(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :), ranges_c(:, :)
+        n = 0
+        code = nurbs_meet_nodes_second(this%handle, 0_c_int64_t, count=n)
+        allocate (params_c(2, n), ranges_c(4, n))
+        if (code == NURBS_OK) code = nurbs_meet_nodes_second(this%handle, n, params_c, ranges_c)
+        params = transpose(params_c)
+        ranges = transpose(ranges_c)
+        call settle(code, status)
+    end subroutine nodes_second
 
     !> Of each way its plane, the first branch and the number of branches, 1 if it closes, and the largest distance of
     !> ends that go on in each other.

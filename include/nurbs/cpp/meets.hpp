@@ -61,6 +61,13 @@ struct MeetNodes {
     std::vector<double> ranges;
 };
 
+/// Where nodes are on the second of two surfaces.
+struct MeetPlaces {
+    std::vector<double> params; ///< [n][2] of the surface; of a part its middle.
+    /// [n][2][2] of parameters: the lower and upper end of the part on each axis.
+    std::vector<double> ranges;
+};
+
 /// Branches one after the other, each of which goes on where the one before ends.
 struct MeetWays {
     std::vector<std::int64_t> levels; ///< Which plane, or value, each belongs to.
@@ -171,6 +178,16 @@ public:
         return detail::made<Meet>(nurbs_surface_level_curves_with, g.get(), scalar.get(),
                                   detail::length(values), values.data(), tolerance, watch.get());
     }
+    /// Where two surfaces meet in curves, proven to be all.
+    [[nodiscard]] static Returned<Meet> surfaces(const Spline &a, const Spline &b, double tolerance) {
+        return detail::made<Meet>(nurbs_surface_intersections, a.get(), b.get(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> surfaces(const Spline &a, const Spline &b, double tolerance,
+                                                 const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_surface_intersections_with, a.get(), b.get(), tolerance, watch.get());
+    }
     /// How much it holds.
     [[nodiscard]] Returned<MeetCounts> counts() const {
         MeetCounts found{};
@@ -201,6 +218,10 @@ public:
         detail::call(nurbs_meet_branch, get(), index, &space, &on_surface);
         return std::pair(Spline(space), Spline(on_surface));
     }
+    /// The curve of a branch in the parameter domain of the second of two surfaces.
+    [[nodiscard]] Returned<Spline> branch_second(std::int64_t index) const {
+        return detail::made<Spline>(nurbs_meet_branch_second, get(), index);
+    }
     /// Where branches end, and where there may be more than they tell.
     [[nodiscard]] Returned<MeetNodes> nodes() const {
         MeetNodes found{};
@@ -212,6 +233,20 @@ public:
         ask(0);
         found.levels = detail::room<std::int64_t>(count);
         found.kinds = detail::room<std::int32_t>(count);
+        found.params = detail::room(count, 2);
+        found.ranges = detail::room(count, 2, 2);
+        ask(count);
+        return found;
+    }
+    /// Where the nodes are on the second of two surfaces.
+    [[nodiscard]] Returned<MeetPlaces> nodes_second() const {
+        MeetPlaces found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_nodes_second, get(), cap, found.params.data(), found.ranges.data(),
+                         &count);
+        };
+        ask(0);
         found.params = detail::room(count, 2);
         found.ranges = detail::room(count, 2, 2);
         ask(count);

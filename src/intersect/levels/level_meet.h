@@ -27,6 +27,8 @@ struct MeetNode {
     int64_t next = -1;                // the node of the branch that goes on here, or that came here; -1: none
     int64_t face = -1, instance = -1; // of a model
     double gap = 0;                   // in space, to the node that goes on
+    std::array<double, 2> at_second{}; // the same on the other surface, of two
+    std::array<Interval, 2> range_second{};
 };
 
 // Curves with common knots, in space and in the parameter domain.
@@ -37,6 +39,7 @@ struct MeetBranch {
     std::array<int64_t, 2> nodes;     // -1: closed
     int64_t loop;                     // the closed way that it is part of, or all of; -1: of none
     int64_t face = -1, instance = -1; // of a model
+    SplinePtr on_second = nullptr;    // in the domain of the other surface, of two
 };
 
 // Branches one after the other, each of which goes on where the one before ends.
@@ -52,6 +55,7 @@ struct Meet {
     std::vector<MeetNode> nodes;
     std::vector<MeetWay> ways; // of arranged()
     bool complete = true;      // no node is undecided
+    bool of_two = false;       // surfaces: branches and nodes are on a second one, too
 
     // That of other levels.
     void append(Meet other);

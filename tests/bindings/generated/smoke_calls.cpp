@@ -920,6 +920,12 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("surface_intersections");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const auto found = n::Meet::surfaces(wall, in.surface, 0.1);
+        show("out", found);
+    }
+    {
         begin("model_sections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -1162,10 +1168,25 @@ void data(const Inputs &in) {
         show("on_surface", found.second);
     }
     {
+        begin("meet_branch_second");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
+        const auto found = crossing.branch_second(0);
+        show("on_second", found);
+    }
+    {
         begin("meet_nodes");
         const auto found = in.meet.nodes();
         show("levels", found.levels);
         show("kinds", found.kinds);
+        show("params", found.params);
+        show("ranges", found.ranges);
+    }
+    {
+        begin("meet_nodes_second");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
+        const auto found = crossing.nodes_second();
         show("params", found.params);
         show("ranges", found.ranges);
     }
@@ -1453,6 +1474,12 @@ void data(const Inputs &in) {
         begin("surface_level_curves_with");
         const n::Spline heights = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 3.0, 3.0}, 1, {0.0, 1.0, 1.0, 2.0}, {}, 0u);
         const auto found = n::Meet::level_curves(in.surface, heights, {0.5}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_intersections_with");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const auto found = n::Meet::surfaces(wall, in.surface, 0.1, watched());
         show("out", found);
     }
     {

@@ -1856,6 +1856,15 @@ contains
             call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0)
             call show('out', found)
         end block
+        call begin('surface_intersections')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%surfaces(a=wall, b=surface, tolerance=0.1d0)
+            call show('out', found)
+        end block
         call begin('model_sections')
         block
             type(nurbs_spline) :: sphere
@@ -2207,6 +2216,17 @@ contains
             call show('space', space_found)
             call show('on_surface', on_surface_found)
         end block
+        call begin('meet_branch_second')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: crossing
+            type(nurbs_spline) :: on_second_found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
+            call crossing%branch_second(index=1, on_second=on_second_found)
+            call show('on_second', on_second_found)
+        end block
         call begin('meet_nodes')
         block
             integer(c_int64_t), allocatable :: levels_found(:)
@@ -2216,6 +2236,21 @@ contains
             call meet%nodes(levels=levels_found, kinds=kinds_found, params=params_found, ranges=ranges_found)
             call show('levels', levels_found - 1)
             call show('kinds', kinds_found)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
+                1])))
+        end block
+        call begin('meet_nodes_second')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: crossing
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: ranges_found(:, :)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
+            call crossing%nodes_second(params=params_found, ranges=ranges_found)
             call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
                 1])))
             call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 1)], order=[2, &
@@ -2691,6 +2726,16 @@ contains
             call heights%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 3.0d0, &
                 3.0d0], points=reshape([0.0d0, 1.0d0, 1.0d0, 2.0d0], [4, 1], order=[2, 1]), flags=0)
             call found%level_curves(g=surface, scalar=heights, values=[0.5d0], tolerance=0.01d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_intersections_with')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%surfaces(a=wall, b=surface, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('model_sections_with')

@@ -1564,6 +1564,19 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::level_curves(&given.surface, &heights, &[0.5], 0.01)?;
         show("out", &found);
     }
+    begin("surface_intersections");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let found = Meet::surfaces(&wall, &given.surface, 0.1)?;
+        show("out", &found);
+    }
     begin("model_sections");
     {
         let sphere = Spline::sphere(
@@ -1828,11 +1841,40 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("space", &found.0);
         show("on_surface", &found.1);
     }
+    begin("meet_branch_second");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
+        let found = crossing.branch_second(0)?;
+        show("on_second", &found);
+    }
     begin("meet_nodes");
     {
         let found = given.meet.nodes()?;
         show("levels", &found.levels);
         show("kinds", &found.kinds);
+        show("params", &found.params);
+        show("ranges", &found.ranges);
+    }
+    begin("meet_nodes_second");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
+        let found = crossing.nodes_second()?;
         show("params", &found.params);
         show("ranges", &found.ranges);
     }
@@ -2341,6 +2383,24 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &heights,
             &[0.5],
             0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_intersections_with");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let found = Meet::surfaces_with(
+            &wall,
+            &given.surface,
+            0.1,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

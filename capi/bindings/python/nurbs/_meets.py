@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from ._calls import Progress
     from ._faces import Face
 
-__all__ = ["Meet", "MeetBranch", "MeetBranches", "MeetCounts", "MeetFaces", "MeetJoints", "MeetNodes", "MeetWays"]
+__all__ = ["Meet", "MeetBranch", "MeetBranches", "MeetCounts", "MeetFaces", "MeetJoints", "MeetNodes", "MeetPlaces",
+           "MeetWays"]
 
 _Meet = TypeVar("_Meet", bound="Meet")
 
@@ -59,6 +60,13 @@ class MeetNodes(NamedTuple):
     ranges: Floats
 
 
+class MeetPlaces(NamedTuple):
+    """Of each node parameters (n, 2) of the second of two surfaces, and of a part its range (n, 2, 2) on each axis."""
+
+    params: Floats
+    ranges: Floats
+
+
 class MeetWays(NamedTuple):
     """Of each way the plane (n,), its first branch (n,) and the number of its branches (n,), which follow each other, whether
     it closes (n,), and the largest distance (n,) in space between ends that go on in each other."""
@@ -88,8 +96,8 @@ class MeetJoints(NamedTuple):
 
 
 class Meet:
-    """Where a surface or a model meets planes: curves, and the nodes where they end, as Spline.sections() and Model.sections()
-    find them.
+    """Where a surface meets planes or another surface, or a model planes: curves, and the nodes where they end, as
+    Spline.sections(), Spline.surface_intersections() and Model.sections() find them.
 
         meet = surface.sections([0, 0, 1], [0.25, 0.5], 1e-6)
         for i, level in enumerate(meet.branches.levels):
@@ -171,6 +179,18 @@ class Meet:
         found = MeetNodes(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int32), numpy.empty((n, 2)),
                           numpy.empty((n, 2, 2)))
         call(lib.nurbs_meet_nodes, self._handle, n, *addresses(*found), None)
+        return found
+
+    def branch_second(self, index: int) -> Spline:
+        """The curve of a branch in the parameter domain of the second of two surfaces."""
+        return Spline._made(lib.nurbs_meet_branch_second, self._handle, index)
+
+    @property
+    def nodes_second(self) -> MeetPlaces:
+        """Where the nodes are on the second of two surfaces."""
+        n = self.counts.nodes
+        found = MeetPlaces(numpy.empty((n, 2)), numpy.empty((n, 2, 2)))
+        call(lib.nurbs_meet_nodes_second, self._handle, n, *addresses(*found), None)
         return found
 
     @property

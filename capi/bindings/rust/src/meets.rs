@@ -53,6 +53,16 @@ pub struct MeetNodes {
     pub ranges: Vec<[f64; 2]>,
 }
 
+/// Where nodes are on the second of two surfaces.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct MeetPlaces {
+    /// `[n][2]` of the surface; of a part its middle.
+    pub params: Vec<[f64; 2]>,
+    /// `[n][2][2]` of parameters: the lower and upper end of the part on each axis.
+    pub ranges: Vec<[f64; 2]>,
+}
+
 /// Branches one after the other, each of which goes on where the one before ends.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -286,6 +296,18 @@ impl Meet {
         })
     }
 
+    /// Where two surfaces meet in curves, proven to be all.
+    pub fn surfaces(a: &Spline, b: &Spline, tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_surface_intersections(a.raw(), b.raw(), tolerance, out) })
+    }
+
+    /// The same as `surfaces`; it can be watched and stopped.
+    pub fn surfaces_with(a: &Spline, b: &Spline, tolerance: f64, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_intersections_with(a.raw(), b.raw(), tolerance, call.options(), out)
+        })
+    }
+
     /// How much it holds.
     pub fn counts(&self) -> Result<MeetCounts> {
         let mut branches = 0;
@@ -326,6 +348,11 @@ impl Meet {
         Ok((unsafe { Spline::owned(space) }, on_surface))
     }
 
+    /// The curve of a branch in the parameter domain of the second of two surfaces.
+    pub fn branch_second(&self, index: usize) -> Result<Spline> {
+        Spline::made(|out| unsafe { sys::nurbs_meet_branch_second(self.raw(), index as i64, out) })
+    }
+
     /// Where branches end, and where there may be more than they tell.
     pub fn nodes(&self) -> Result<MeetNodes> {
         let fill = |cap, levels, kinds, params, ranges, count| unsafe {
@@ -347,6 +374,20 @@ impl Meet {
             &mut count,
         ))?;
         Ok(MeetNodes { levels, kinds, params, ranges })
+    }
+
+    /// Where the nodes are on the second of two surfaces.
+    pub fn nodes_second(&self) -> Result<MeetPlaces> {
+        let fill = |cap, params, ranges, count| unsafe {
+            sys::nurbs_meet_nodes_second(self.raw(), cap, params, ranges, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![[0.0; 2]; n];
+        let mut ranges = vec![[0.0; 2]; 2 * n];
+        check(fill(count, params.as_mut_ptr().cast(), ranges.as_mut_ptr().cast(), &mut count))?;
+        Ok(MeetPlaces { params, ranges })
     }
 
     /// The ways that the branches make, from one to the next.

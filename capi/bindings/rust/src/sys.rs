@@ -4014,6 +4014,24 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
+    /// Where two surfaces meet in curves: all of them, proven to be all.
+    pub fn nurbs_surface_intersections(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_intersections() as a call that can be watched and ended, as
+    /// nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_surface_intersections_with(
+        a: *const nurbs,
+        b: *const nurbs,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
     /// Another handle on the same meet, in constant time.
     pub fn nurbs_meet_clone(meet: *const nurbs_meet, out: *mut *mut nurbs_meet) -> nurbs_status;
     /// Frees a handle on a meet.
@@ -4048,6 +4066,12 @@ extern "C" {
         space: *mut *mut nurbs,
         on_surface: *mut *mut nurbs,
     ) -> nurbs_status;
+    /// The curve of a branch on the second of two surfaces.
+    pub fn nurbs_meet_branch_second(
+        meet: *const nurbs_meet,
+        index: i64,
+        on_second: *mut *mut nurbs,
+    ) -> nurbs_status;
     /// The nodes of a meet: where branches end, and where there may be more than they tell.
     ///
     /// May be null: `levels`, `kinds`, `params`, `ranges`, `count`.
@@ -4056,6 +4080,16 @@ extern "C" {
         cap: i64,
         levels: *mut i64,
         kinds: *mut i32,
+        params: *mut f64,
+        ranges: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// Where the nodes of a meet are on the second of two surfaces.
+    ///
+    /// May be null: `params`, `ranges`, `count`.
+    pub fn nurbs_meet_nodes_second(
+        meet: *const nurbs_meet,
+        cap: i64,
         params: *mut f64,
         ranges: *mut f64,
         count: *mut i64,

@@ -989,6 +989,14 @@ const Call group[] = {
          static constexpr double values[] = {0.5};
          return nurbs_surface_level_curves(in.surface, made_heights, 1, values, 0.01, &o.meet);
      }},
+    {"surface_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         return nurbs_surface_intersections(made_wall, in.surface, 0.1, &o.meet);
+     }},
     {"model_sections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -1262,9 +1270,33 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_branch(in.meet, 1, &o.out, &o.other);
      }},
+    {"meet_branch_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_crossing(in, make_crossing);
+         if (made_crossing.status() != NURBS_OK) {
+             return made_crossing.status();
+         }
+         return nurbs_meet_branch_second(made_crossing, 0, &o.out);
+     }},
     {"meet_nodes",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_nodes(in.meet, 8, o.spans, o.states, o.values, o.values + 16, o.spans + 8);
+     }},
+    {"meet_nodes_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_crossing(in, make_crossing);
+         if (made_crossing.status() != NURBS_OK) {
+             return made_crossing.status();
+         }
+         return nurbs_meet_nodes_second(made_crossing, 2, o.values, o.values + 4, o.spans);
      }},
     {"read_with",
      [](const Inputs &, Output &o) -> nurbs_status {
@@ -1759,6 +1791,16 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_level_curves_with(in.surface, made_heights, 1, values, 0.01, &call, &o.meet);
+     }},
+    {"surface_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_intersections_with(made_wall, in.surface, 0.1, &call, &o.meet);
      }},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

@@ -196,6 +196,12 @@ nurbs_status make_sphere(const Inputs &, nurbs **out) {
     return nurbs_surface_sphere(nullptr, nullptr, nullptr, 1, NURBS_ARC_QUARTERS, out);
 }
 
+nurbs_status make_wall(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1, 1};
+    static constexpr double points[] = {0.3, -1, -1, 0.3, -1, 9, 0.4, 9, -1, 0.4, 9, 9};
+    return nurbs_create_bezier(2, degrees, 3, points, 0, 0, nullptr, 0, out);
+}
+
 nurbs_status make_edges(const Inputs &in, nurbs_list **out) {
     return nurbs_boundaries(in.surface, out);
 }
@@ -210,6 +216,14 @@ nurbs_status make_more_statistics(const Inputs &in, nurbs_statistics **out) {
 
 nurbs_status make_another_model(const Inputs &in, nurbs_model **out) {
     return nurbs_model_clone(in.model, out);
+}
+
+nurbs_status make_crossing(const Inputs &in, nurbs_meet **out) {
+    Made made_wall(in, make_wall);
+    if (made_wall.status() != NURBS_OK) {
+        return made_wall.status();
+    }
+    return nurbs_surface_intersections(in.surface, made_wall, 0.01, out);
 }
 
 nurbs_status make_another_meet(const Inputs &in, nurbs_meet **out) {

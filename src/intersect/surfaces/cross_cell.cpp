@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_cell.h"
+
+#include "base/limits.h"
+#include "base/numbers.h"
+#include "base/scratch.h"
+#include "base/watch.h"
+#include "bernstein/de_casteljau.h"
+#include "numeric/norm.h"
+#include "pieces/tree/patch_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr size_t width = 4; // x w, y w, z w, w
+constexpr double least_length = 0x1p-31;
+// In parts of the length of derivatives: what bends less is halved where it is longer.
+constexpr double little_bend = 0.05;
+
+double dot3(const Vector3 &a, const double *b) noexcept {
+    return a.x * b[0] + a.y * b[1] + a.z * b[2];
+}
+
+// Of Bernstein coefficients [degree + 1] those between two places: [degree + 1][degree + 1].
+std::vector<double> part_matrix(int degree, double lower, double upper) {
+    const auto n = static_cast<size_t>(degree) + 1;
+    std::vector<double> matrix(n * n);
+    pieces::part_matrix(degree, lower, upper, matrix.data());
+    return matrix;
+}
+
+// The layers of a net with records, along an axis.
+AxisLayers layers_along(size_t axis, const std::array<int, 2> &degrees) noexcept {
+    constexpr auto record = static_cast<int64_t>(width);
+    return axis == 0 ? AxisLayers{1, degrees[0], (degrees[1] + 1) * record}
+                     : AxisLayers{degrees[0] + 1, degrees[1], record};
+}
+
+// The records of the derivative along an axis, which has a degree.
+std::vector<double> derivative(const AxisLayers &layers, double factor, const double *records) {
+    std::vector<double> result;
+    const auto inner = static_cast<size_t>(layers.inner);
+    result.reserve(static_cast<size_t>(layers.outer * layers.degree) * inner);
+    for (int64_t o = 0; o < layers.outer; ++o, records += inner) {
+        for (int i = 0; i < layers.degree; ++i, records += inner) {
+            for (size_t c = 0; c < inner; ++c) {
+                result.push_back(factor * (records[inner + c] - records[c]));
+            }
+        }
+    }
+    return result;
+}
+
+void apply(const std::vector<double> &matrix, const AxisLayers &layers, const double *from, double *to) {
+    const auto n = static_cast<size_t>(layers.degree) + 1, inner = static_cast<size_t>(layers.inner);
+    for (int64_t o = 0; o < layers.outer; ++o) {
+        for (size_t r = 0; r < n; ++r, to += inner) {
+            std::fill_n(to, inner, 0.0);
+            for (size_t j = 0; j < n; ++j) {
+                const double factor = matrix[r * n + j], *layer = from + j * inner;
+                for (size_t c = 0; c < inner; ++c) {
+                    to[c] += factor * layer[c];
+                }
+            }
+        }
+        from += n * inner;
+    }
+}
+
+} // namespace
+
+CrossGround::CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes)
+    : grid(pieces::piece_grid_of(surface)), borders(ends),
+      shifts(of_axes), widenings{part_matrix(surface.axis(0).degree(), -widening, 1 + widening),
+                                 part_matrix(surface.axis(1).degree(), -widening, 1 + widening)} {}
+
+CrossPiece::CrossPiece(pieces::BezierPiece made, const CrossGround &of)
+    : ground(&of), piece(std::move(made)), degrees{piece.degree(0), piece.degree(1)}, shift(of.shifts) {
+    const pieces::LocalParam first = piece.parameter({0, 0}), last = piece.parameter({1, 1});
+    for (size_t k = 0; k < 2; ++k) {
+        range[k] = {first[k], last[k]};
+    }
+    for (int64_t i = 0; i < piece.coefficients(); ++i) {
+        largest_weight = std::max(largest_weight, piece.weight(i));
+    }
+    // Bernstein functions are off by 3 / 2 eps for each degree, which moves means by as much of how far points are apart; sums
+    // and quotients have one rounding for each term of theirs.
+    const int degrees_of_both = degrees[0] + degrees[1];
+    error = piece.moved() + 1.5 * degrees_of_both * eps * (std::sqrt(3.0) * piece.size()) +
+            (degrees_of_both + 6) * eps * piece.reach();
+    set_sides(of.grid, of.borders);
+}
+
+void CrossPiece::set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &borders) {
+    for (size_t k = 0; k < 2; ++k) {
+        const int axis = static_cast<int>(k);
+        const int64_t i = grid.find(axis, range[k].lower / 2 + range[k].upper / 2), n = grid.count(axis);
+        const auto length = [&](int64_t at) {
+            const int64_t piece_at = (at + n) % n;
+            return grid.break_at(axis, piece_at + 1) - grid.break_at(axis, piece_at);
+        };
+        index[k] = i;
+        const double start = grid.break_at(axis, i), whole = length(i),
+                     part = range[k].upper - range[k].lower;
+        within[k] = {range[k].lower == start ? 0 : (range[k].lower - start) / whole,
+                     range[k].upper == grid.break_at(axis, i + 1) ? 1 : (range[k].upper - start) / whole};
+        const double of_axis = shift[k];
+        shift[k] *= whole / part;
+        for (size_t end = 0; end < 2; ++end) {
+            const bool up = end == 1, is_break = (up ? within[k].upper : within[k].lower) == (up ? 1 : 0);
+            open[k][end] = is_break && !borders.goes_on(k, i, up);
+            poles[k][end] = is_break && borders.is_collapsed(k, i, up);
+            const double next = is_break && !open[k][end] ? length(up ? i + 1 : i - 1) : whole;
+            const double by = of_axis * std::min(next, whole) / part;
+            shifts[k][end] = open[k][end] && !up ? -by : by;
+        }
+    }
+}
+
+CrossPiece::Point CrossPiece::evaluate(const std::array<double, 2> &place) const noexcept {
+    constexpr size_t stride = max_degree + 1;
+    std::array<std::array<double, 2 * stride>, 2> b;
+    for (size_t k = 0; k < 2; ++k) {
+        bernstein_functions(degrees[k], place[k], 1, stride, b[k].data());
+    }
+    std::array<double, width> value{}, by_u{}, by_v{};
+    const double *record = piece.record(0);
+    for (int i = 0; i <= degrees[0]; ++i) {
+        std::array<double, width> row{}, row_v{};
+        for (int j = 0; j <= degrees[1]; ++j, record += width) {
+            const double f = b[1][static_cast<size_t>(j)], g = b[1][stride + static_cast<size_t>(j)];
+            for (size_t c = 0; c < width; ++c) {
+                row[c] += f * record[c];
+                row_v[c] += g * record[c];
+            }
+        }
+        const double f = b[0][static_cast<size_t>(i)], g = b[0][stride + static_cast<size_t>(i)];
+        for (size_t c = 0; c < width; ++c) {
+            value[c] += f * row[c];
+            by_u[c] += g * row[c];
+            by_v[c] += f * row_v[c];
+        }
+    }
+    const double inverse = 1 / value[3];
+    const Vector3 at{value[0] * inverse, value[1] * inverse, value[2] * inverse};
+    const auto quotient = [&](const std::array<double, width> &by) {
+        return inverse * (Vector3{by[0], by[1], by[2]} - by[3] * at);
+    };
+    return {at, {quotient(by_u), quotient(by_v)}, {by_u[3] * inverse, by_v[3] * inverse}};
+}
+
+CrossCell::CrossCell(const CrossPiece &piece)
+    : piece_(&piece), records_(piece.piece.record(0), piece.piece.record(piece.piece.coefficients())) {
+    set_box();
+}
+
+CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records)
+    : piece_(whole.piece_), lower_(whole.lower_), length_(whole.length_), depth_(whole.depth_ + 1),
+      records_(std::move(records)) {
+    length_[axis] /= 2;
+    lower_[axis] += end == 1 ? length_[axis] : 0;
+    set_box();
+}
+
+bool CrossCell::is_inside(size_t axis, size_t end) const noexcept {
+    return end == 0 ? lower_[axis] > 0 : lower_[axis] + length_[axis] < 1;
+}
+
+double CrossCell::side(size_t axis, size_t end) const noexcept {
+    const double shift = is_inside(axis, end) ? piece_->shift[axis] : piece_->shifts[axis][end];
+    return static_cast<double>(end) + shift / length_[axis];
+}
+
+bool CrossCell::is_open(size_t axis, size_t end) const noexcept {
+    return !is_inside(axis, end) && piece_->open[axis][end];
+}
+
+bool CrossCell::has_pole() const noexcept {
+    bool any = false;
+    for (size_t k = 0; k < 2; ++k) {
+        for (size_t end = 0; end < 2; ++end) {
+            any = any || (piece_->poles[k][end] && !is_inside(k, end));
+        }
+    }
+    return any;
+}
+
+void CrossCell::set_box() {
+    box_.fill({infinity, -infinity});
+    for (size_t i = 0; i < records_.size(); i += width) {
+        const double inverse = 1 / records_[i + 3];
+        for (size_t c = 0; c < 3; ++c) {
+            const double x = records_[i + c] * inverse;
+            box_[c] = {std::min(box_[c].lower, x), std::max(box_[c].upper, x)};
+        }
+    }
+    for (const Interval &side : box_) {
+        size_ = std::max(size_, side.upper - side.lower);
+    }
+    const double halving = std::max(piece_->degrees[0], piece_->degrees[1]) * eps * piece_->piece.reach();
+    error_ = piece_->error + (depth_ + 1) * halving;
+    count_work(8 * std::ssize(records_));
+}
+
+bool CrossCell::prepare() {
+    if (state_ != State::unknown) {
+        return state_ == State::positive;
+    }
+    std::vector<double> wide(records_.size());
+    Scratch scratch(records_.size());
+    double *const half = scratch.take(records_.size());
+    const auto &[p, q] = piece_->degrees;
+    const auto &widenings = piece_->ground->widenings;
+    apply(widenings[0], layers_along(0, piece_->degrees), records_.data(), half);
+    apply(widenings[1], layers_along(1, piece_->degrees), half, wide.data());
+    count_work((p + q + 8) * std::ssize(wide));
+    weights_ = {infinity, 0};
+    for (size_t i = 3; i < wide.size(); i += width) {
+        weights_ = {std::min(weights_.lower, wide[i]), std::max(weights_.upper, wide[i])};
+    }
+    if (p == 0 || q == 0 || !(weights_.lower > 0x1p-10 * weights_.upper)) {
+        state_ = State::other;
+        return false;
+    }
+    state_ = State::positive;
+    set_wide(wide);
+    return true;
+}
+
+// The records become those about the centre.
+void CrossCell::set_wide(std::vector<double> &records) {
+    constexpr std::array<double, 2> middle{0.5, 0.5};
+    const CrossPiece::Point point = piece_->evaluate(in_piece(middle.data()));
+    centre_ = point.at;
+    slope_ = {length_[0] * point.slope[0], length_[1] * point.slope[1]};
+    const std::array<double, 2> turns{length_[0] * point.turn[0], length_[1] * point.turn[1]};
+    points_.resize(records.size() / width * 3);
+    for (size_t i = 0; i < records.size() / width; ++i) {
+        double *record = records.data() + width * i;
+        const Vector3 a{record[0] - record[3] * centre_.x, record[1] - record[3] * centre_.y,
+                        record[2] - record[3] * centre_.z};
+        record[0] = a.x;
+        record[1] = a.y;
+        record[2] = a.z;
+        const Vector3 from = (1 / record[3]) * a;
+        points_[3 * i] = from.x;
+        points_[3 * i + 1] = from.y;
+        points_[3 * i + 2] = from.z;
+        reach_ = std::max(reach_, numeric::length(from));
+    }
+    for (size_t k = 0; k < 2; ++k) {
+        set_slopes(records, k, turns[k]);
+    }
+}
+
+// (w (S - centre))_k and w_k by places in the part, of one degree less along the axis. Of small parts differences have few
+// digits: those of the whole piece are taken then. Each axis makes errors larger by the sum of the magnitudes of its means.
+std::vector<double> CrossCell::derivatives(const std::vector<double> &records, size_t axis) {
+    constexpr double small = 0x1p-4;
+    std::array<int, 2> degrees = piece_->degrees;
+    const AxisLayers layers = layers_along(axis, degrees);
+    const double amplified =
+        4 * layers.degree * std::pow(1 + 2 * widening, degrees[0] + degrees[1]) / weights_.lower;
+    if (length_[axis] > small) {
+        slope_errors_[axis] = amplified * weights_.upper * error_;
+        return derivative(layers, layers.degree / (1 + 2 * widening), records.data());
+    }
+    slope_errors_[axis] = amplified * piece_->largest_weight * piece_->error * length_[axis];
+    std::vector<double> values = derivative(layers, layers.degree * length_[axis], piece_->piece.record(0)),
+                        part(values.size());
+    --degrees[axis];
+    for (size_t k = 0; k < 2; ++k) {
+        const double room = widening * length_[k];
+        apply(part_matrix(degrees[k], lower_[k] - room, lower_[k] + length_[k] + room),
+              layers_along(k, degrees), values.data(), part.data());
+        std::swap(values, part);
+    }
+    for (double *by = values.data(); by < values.data() + values.size(); by += width) {
+        by[0] -= by[3] * centre_.x;
+        by[1] -= by[3] * centre_.y;
+        by[2] -= by[3] * centre_.z;
+    }
+    return values;
+}
+
+// With N = (w (S - centre))_k and w_k raised to the degree of w, D = S_k in the middle and r = w_k / w there, the derivative is
+//     S_k = D + (N - D w - r w (S - centre) - (S - centre) (w_k - r w)) / w:
+// what is kept are the coefficients of the first three terms of the numerator, and the largest |w_k - r w|.
+void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, double turn) {
+    const AxisLayers layers = layers_along(axis, piece_->degrees);
+    const auto degree = static_cast<size_t>(layers.degree), inner = static_cast<size_t>(layers.inner);
+    const std::vector<double> lower = derivatives(records, axis);
+    const std::array<double, width> middle{slope_[axis].x, slope_[axis].y, slope_[axis].z, turn};
+    std::vector<double> &off = slopes_[axis];
+    off.reserve(records.size() / width * 3);
+    double largest_turn = 0, largest = 0;
+    for (size_t at = 0; at < records.size(); at += width) {
+        const size_t i = at / inner % (degree + 1), outer = at / inner / (degree + 1);
+        const double *above = lower.data() + (outer * degree + i) * inner + at % inner;
+        const double share = static_cast<double>(i) / static_cast<double>(degree), *own = &records[at];
+        std::array<double, width> by{};
+        for (size_t c = 0; c < width; ++c) {
+            by[c] = (i > 0 ? share * (above - inner)[c] : 0) + (i < degree ? (1 - share) * above[c] : 0);
+        }
+        for (size_t c = 0; c < 3; ++c) {
+            off.push_back(by[c] - middle[c] * own[3] - turn * own[c]);
+            largest = std::max(largest, std::abs(off.back()));
+        }
+        largest_turn = std::max(largest_turn, std::abs(by[3] - turn * own[3]));
+    }
+    turns_[axis] = 1.0001 * largest_turn;
+    const double length = numeric::length(slope_[axis]);
+    bends_[axis] = (largest + reach_ * turns_[axis]) / weights_.upper + little_bend * length;
+    slope_errors_[axis] +=
+        weights_.upper / weights_.lower * (16 * eps * (length + reach_) + std::abs(turn) * error_);
+}
+
+Interval CrossCell::points_along(const Vector3 &vector) const noexcept {
+    Interval range{infinity, -infinity};
+    for (size_t i = 0; i < points_.size(); i += 3) {
+        const double x = dot3(vector, &points_[i]);
+        range = {std::min(range.lower, x), std::max(range.upper, x)};
+    }
+    return range;
+}
+
+CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
+    CrossExtents extents{points_along(vector), {}};
+    const double far = std::max(std::abs(extents.points.lower), std::abs(extents.points.upper)),
+                 size = numeric::length(vector);
+    const double least = 1 / weights_.upper, most = 1 / weights_.lower;
+    for (size_t k = 0; k < 2; ++k) {
+        Interval range{infinity, -infinity};
+        for (size_t i = 0; i < slopes_[k].size(); i += 3) {
+            const double x = dot3(vector, &slopes_[k][i]);
+            range = {std::min(range.lower, x), std::max(range.upper, x)};
+        }
+        range = {range.lower - far * turns_[k], range.upper + far * turns_[k]};
+        const double middle = dot(vector, slope_[k]), room = size * slope_errors_[k];
+        extents.slopes[k] = {middle + range.lower * (range.lower < 0 ? most : least) - room,
+                             middle + range.upper * (range.upper < 0 ? least : most) + room};
+    }
+    return extents;
+}
+
+double CrossCell::largest_slope(size_t axis) const noexcept {
+    double most = 0;
+    for (size_t i = 0; i < slopes_[axis].size(); i += 3) {
+        most = std::max(most, norm(&slopes_[axis][i], 3));
+    }
+    return 1.0001 * (numeric::length(slope_[axis]) + (most + reach_ * turns_[axis]) / weights_.lower +
+                     slope_errors_[axis]);
+}
+
+size_t CrossCell::axis_of_halves() const noexcept {
+    if (piece_->degrees[0] == 0 || piece_->degrees[1] == 0) {
+        return piece_->degrees[0] == 0 ? 1 : 0;
+    }
+    if (state_ == State::positive) {
+        return bends_[1] > bends_[0] ? 1 : 0;
+    }
+    return length_[1] > length_[0] ? 1 : 0;
+}
+
+bool CrossCell::split(std::deque<CrossCell> &all) {
+    if (halves_[0] != nullptr) {
+        return true;
+    }
+    const size_t axis = axis_of_halves();
+    if (piece_->degrees[axis] == 0 || length_[axis] <= least_length) {
+        return false;
+    }
+    const AxisLayers layers = layers_along(axis, piece_->degrees);
+    std::vector<double> upper = records_, lower(upper.size());
+    subdivide(layers, 0.5, upper.data(), lower.data());
+    halves_[1] = &all.emplace_back(*this, axis, 1, std::move(upper));
+    halves_[0] = &all.emplace_back(*this, axis, 0, std::move(lower));
+    return true;
+}
+
+} // namespace nrb::intersect

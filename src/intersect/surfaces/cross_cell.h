@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Pieces of surfaces in space, and their parts, as the search for common curves looks at them.
+#pragma once
+
+#include "intersect/levels/fields/surface_borders.h"
+#include "numeric/vector3.h"
+#include "pieces/bezier_piece.h"
+
+#include <array>
+#include <deque>
+#include <vector>
+
+namespace nrb::intersect {
+
+// Boxes of parts do not end where the parts do, but a little farther: common curves often run exactly along knots and
+// middles, or through corners of these, and hardly ever along what is shifted by a number that nobody has in mind. Where the
+// surface ends or jumps boxes end beyond it by as much, so that what runs along a border is inside. Each axis has a shift of its
+// own, since two surfaces may be graphs over one plane.
+constexpr double shift_of_sides = 0x1.3cp-38; // the largest one, in parts of pieces
+using SideShifts = std::array<double, 2>;
+constexpr std::array<SideShifts, 2> side_shifts{
+    SideShifts{shift_of_sides, 0x1.1p-1 * shift_of_sides},
+    SideShifts{0x1.9p-1 * shift_of_sides, 0x1.5p-2 * shift_of_sides}};
+// Polynomials go on beyond their pieces. What is proven of a part is proven of this much more of it on all sides, in parts
+// of its length.
+constexpr double widening = 1.0 / 8;
+
+// What the pieces of a surface have in common.
+struct CrossGround {
+    CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes);
+
+    const pieces::PieceGrid &grid;
+    const SurfaceBorders &borders;
+    SideShifts shifts;
+    std::array<std::vector<double>, 2> widenings; // of coefficients along an axis, to those of the wide part
+};
+
+// A Bezier piece with positive weights, about the centre of both surfaces.
+struct CrossPiece {
+    CrossPiece(pieces::BezierPiece made, const CrossGround &of);
+
+    struct Point {
+        Vector3 at;
+        std::array<Vector3, 2> slope; // by places
+        std::array<double, 2> turn;   // of the weight, in parts of it
+    };
+    // At a place in [0, 1]^2, or not far outside.
+    [[nodiscard]] Point evaluate(const std::array<double, 2> &place) const noexcept;
+
+    const CrossGround *ground;
+    pieces::BezierPiece piece;
+    std::array<int, 2> degrees{};
+    pieces::PieceGrid::Index index{}; // of the piece of the surface that it is a part of
+    std::array<Interval, 2> range{};  // parameters
+    std::array<Interval, 2>
+        within{}; // places in that piece of the surface: all of it, if weights are positive there
+    std::array<std::array<bool, 2>, 2> open{};     // [axis][end]: the surface ends there
+    std::array<std::array<bool, 2>, 2> poles{};    // [axis][end]: the side is one point
+    std::array<std::array<double, 2>, 2> shifts{}; // [axis][end], of the sides of its box, by places
+    SideShifts shift{};                            // the same of sides inside of the piece
+    double largest_weight = 0;
+    double error = 0; // of points that are evaluated
+
+private:
+    void set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &borders);
+};
+
+// Between which numbers the products of a vector lie: with what is in the wide part, from its centre, and with the
+// derivatives along both axes by places in the part.
+struct CrossExtents {
+    Interval points;
+    std::array<Interval, 2> slopes;
+};
+
+// A part of a piece, of half its length along an axis again and again. What is known of the wide part is made when it is
+// asked for.
+class CrossCell {
+public:
+    explicit CrossCell(const CrossPiece &piece);
+    // A half, with its records.
+    CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records);
+
+    [[nodiscard]] const CrossPiece &piece() const noexcept { return *piece_; }
+    [[nodiscard]] double lower(size_t axis) const noexcept { return lower_[axis]; } // in [0, 1]
+    [[nodiscard]] double length(size_t axis) const noexcept { return length_[axis]; }
+    // In places of the piece from those in the part, and back.
+    [[nodiscard]] std::array<double, 2> in_piece(const double *place) const noexcept {
+        return {lower_[0] + length_[0] * place[0], lower_[1] + length_[1] * place[1]};
+    }
+    [[nodiscard]] double in_part(size_t axis, double place) const noexcept {
+        return (place - lower_[axis]) / length_[axis];
+    }
+    // Where its box ends, as places in the part.
+    [[nodiscard]] double side(size_t axis, size_t end) const noexcept;
+    [[nodiscard]] bool is_open(size_t axis, size_t end) const noexcept;
+    // Whether a side of it is one point, in which a derivative vanishes.
+    [[nodiscard]] bool has_pole() const noexcept;
+
+    // The box of the control points, and its largest side.
+    [[nodiscard]] const std::array<Interval, 3> &box() const noexcept { return box_; }
+    [[nodiscard]] double size() const noexcept { return size_; }
+    // Of control points, which each halving makes a little larger.
+    [[nodiscard]] double error() const noexcept { return error_; }
+
+    // What follows is of the wide part; false: its weights are not positive.
+    bool prepare();
+    [[nodiscard]] const Vector3 &centre() const noexcept { return centre_; } // the point in the middle
+    [[nodiscard]] const Vector3 &slope(size_t axis) const noexcept { return slope_[axis]; }
+    [[nodiscard]] CrossExtents along(const Vector3 &vector) const noexcept;
+    [[nodiscard]] Interval points_along(const Vector3 &vector) const noexcept;
+    // Of derivatives by places in the part.
+    [[nodiscard]] double largest_slope(size_t axis) const noexcept;
+    [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
+
+    // Its halves along an axis that is always the same; false: it is too small. Of an axis without a degree
+    // there are none.
+    bool split(std::deque<CrossCell> &all);
+    [[nodiscard]] CrossCell *half(size_t end) const noexcept { return halves_[end]; }
+
+private:
+    [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side, of the piece
+    void set_box();
+    void set_wide(std::vector<double> &records);
+    [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
+    void set_slopes(const std::vector<double> &records, size_t axis, double turn);
+    [[nodiscard]] size_t axis_of_halves() const noexcept;
+
+    const CrossPiece *piece_;
+    std::array<double, 2> lower_{0, 0}, length_{1, 1};
+    int depth_ = 0;
+    std::vector<double> records_; // [degree + 1][degree + 1][4]
+    std::array<Interval, 3> box_{};
+    double size_ = 0;
+
+    enum class State { unknown, positive, other } state_ = State::unknown;
+    std::vector<double> points_;                // from the centre
+    std::array<std::vector<double>, 2> slopes_; // of set_slopes()
+    std::array<double, 2> turns_{}, bends_{};   // of weights; how much derivatives change
+    Interval weights_{1, 1};
+    double error_ = 0, reach_ = 0;
+    std::array<double, 2> slope_errors_{};
+    Vector3 centre_;
+    std::array<Vector3, 2> slope_;
+    std::array<CrossCell *, 2> halves_{};
+};
+
+} // namespace nrb::intersect

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_chains.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "intersect/levels/trace/cluster_groups.h"
+#include "intersect/surfaces/cross_spot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <tuple>
+#include <utility>
+
+namespace nrb::intersect {
+
+namespace {
+
+// In parts of pieces: a little more than sides of boxes are shifted.
+constexpr double one_place = 32 * shift_of_sides, no_length = 16 * shift_of_sides;
+constexpr size_t unmatched = static_cast<size_t>(-1);
+
+class CrossJoining {
+public:
+    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossParts &found)
+        : surfaces_{&a, &b}, distances_(a, b), found_(found), next_(found.arcs.size(), unmatched),
+          last_(found.arcs.size(), unmatched), taken_(found.arcs.size(), false) {}
+
+    CrossChains run() {
+        set_spots();
+        match_all();
+        add_clusters();
+        for (const bool closed : {false, true}) {
+            for (size_t arc = 0; arc < next_.size(); ++arc) {
+                if (!taken_[arc] && (closed || last_[arc] == unmatched)) {
+                    add_chain(arc, closed);
+                }
+            }
+        }
+        return std::move(result_);
+    }
+
+private:
+    struct Match {
+        double apart;
+        size_t from, to;
+    };
+
+    [[nodiscard]] const pieces::PieceGrid &grid(size_t i) const noexcept { return surfaces_[i / 2]->grid; }
+    [[nodiscard]] bool wraps(size_t i) const noexcept { return surfaces_[i / 2]->borders.wraps(i % 2); }
+    [[nodiscard]] bool is_periodic(size_t i) const noexcept {
+        return surfaces_[i / 2]->borders.is_periodic(i % 2);
+    }
+    [[nodiscard]] int64_t count(size_t i) const noexcept { return grid(i).count(static_cast<int>(i % 2)); }
+    // Arcs in corners of boxes are places.
+    void set_spots() {
+        for (size_t arc = 0; arc < found_.arcs.size(); ++arc) {
+            for (size_t end = 0; end < 2; ++end) {
+                spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end]));
+            }
+            lengths_.push_back(length_of(spots_[0][arc], spots_[1][arc], no_length));
+            taken_[arc] = lengths_[arc] <= 1;
+        }
+    }
+
+    // Whether an arc may be rounding alone.
+    [[nodiscard]] bool is_short(size_t arc) const noexcept { return lengths_[arc] <= 64; }
+
+    // First in the same places, then what noise, or a short arc that goes on in none, is between.
+    void match_all() {
+        match(1);
+        while (drop_short_ends()) {
+        }
+        match(16);
+    }
+    bool drop_short_ends() {
+        bool any = false;
+        for (size_t arc = 0; arc < next_.size(); ++arc) {
+            const auto &ends = found_.arcs[arc].ends;
+            const bool begins = last_[arc] == unmatched && !ends[0].open,
+                       stops = next_[arc] == unmatched && !ends[1].open;
+            if (taken_[arc] || !is_short(arc) || (!begins && !stops)) {
+                continue;
+            }
+            taken_[arc] = any = true;
+            if (last_[arc] != unmatched) {
+                next_[std::exchange(last_[arc], unmatched)] = unmatched;
+            }
+            if (next_[arc] != unmatched) {
+                last_[std::exchange(next_[arc], unmatched)] = unmatched;
+            }
+        }
+        return any;
+    }
+    // Pairs of an end and a beginning, the nearest ones first.
+    void match(double wide) {
+        std::vector<std::pair<double, size_t>> begins;
+        for (size_t arc = 0; arc < next_.size(); ++arc) {
+            if (!taken_[arc] && last_[arc] == unmatched && !found_.arcs[arc].ends[0].open) {
+                begins.emplace_back(key(spots_[0][arc]), arc);
+            }
+        }
+        std::ranges::sort(begins);
+        std::vector<Match> matches;
+        for (size_t arc = 0; arc < next_.size(); ++arc) {
+            if (!taken_[arc] && next_[arc] == unmatched && !found_.arcs[arc].ends[1].open) {
+                add_matches(arc, wide, begins, matches);
+            }
+        }
+        std::ranges::sort(matches, {}, [](const Match &m) { return std::tuple(m.apart, m.from, m.to); });
+        for (const Match &m : matches) {
+            if (next_[m.from] == unmatched && last_[m.to] == unmatched) {
+                next_[m.from] = m.to;
+                last_[m.to] = m.from;
+            }
+        }
+    }
+    // Along the first axis.
+    [[nodiscard]] double key(const CrossSpot &spot) const noexcept {
+        const double at = static_cast<double>(spot.index[0]) + spot.place[0],
+                     n = static_cast<double>(count(0));
+        return wraps(0) && at >= n - one_place ? at - n : at;
+    }
+    void add_matches(size_t arc, double wide, const std::vector<std::pair<double, size_t>> &begins,
+                     std::vector<Match> &matches) const {
+        const double at = key(spots_[1][arc]), window = 64 * (one_place + spots_[1][arc].noise[0]);
+        auto begin = std::ranges::lower_bound(begins, std::pair(at - window, size_t{0}));
+        for (; begin != begins.end() && begin->first <= at + window; ++begin) {
+            count_work(40);
+            const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
+            const double far = distances_.apart(end, start, one_place);
+            if (far <= wide && !(begin->second == arc && is_short(arc))) {
+                matches.push_back({far, arc, begin->second});
+            }
+        }
+    }
+
+    // Those that touch on the first surface are one node, with those that are no farther from it than it is large.
+    void add_clusters() {
+        std::vector<ParameterRanges> ranges;
+        for (const CrossCluster &cluster : found_.clusters) {
+            ranges.push_back({cluster.ranges[0], cluster.ranges[1]});
+        }
+        for (const std::vector<size_t> &group :
+             touching_groups(ranges, surfaces_[0]->grid, surfaces_[0]->borders)) {
+            std::array<Interval, 4> all = found_.clusters[group.front()].ranges;
+            for (const size_t member : group) {
+                enclose(found_.clusters[member].ranges, all);
+            }
+            groups_.push_back(all);
+        }
+        std::ranges::sort(groups_, std::ranges::greater(), size_of);
+        absorb();
+        for (const std::array<Interval, 4> &group : groups_) {
+            add_node(NodeKind::undecided, group);
+        }
+    }
+    static double size_of(const std::array<Interval, 4> &ranges) noexcept {
+        return std::max(ranges[0].upper - ranges[0].lower, ranges[1].upper - ranges[1].lower);
+    }
+    static void enclose(const std::array<Interval, 4> &own, std::array<Interval, 4> &all) noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            all[i] = {std::min(all[i].lower, own[i].lower), std::max(all[i].upper, own[i].upper)};
+        }
+    }
+    // Larger ones come first.
+    void absorb() {
+        constexpr size_t most = 256; // of what is looked at in all pairs
+        for (size_t i = 0; i < std::min(groups_.size(), most); ++i) {
+            for (size_t j = i + 1; j < std::min(groups_.size(), most); ++j) {
+                count_work(20);
+                if (are_near(groups_[i], groups_[j])) {
+                    enclose(groups_[j], groups_[i]);
+                    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(j));
+                    j = i;
+                }
+            }
+        }
+    }
+    static bool are_near(const std::array<Interval, 4> &large,
+                         const std::array<Interval, 4> &small) noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = 2 * (large[i].upper - large[i].lower);
+            if (!(small[i].lower <= large[i].upper + room && small[i].upper >= large[i].lower - room)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    int64_t add_node(NodeKind kind, const std::array<Interval, 4> &ranges) {
+        MeetNode node{0, kind, {}, {}};
+        for (size_t k = 0; k < 2; ++k) {
+            node.at[k] = ranges[k].lower / 2 + ranges[k].upper / 2;
+            node.at_second[k] = ranges[2 + k].lower / 2 + ranges[2 + k].upper / 2;
+            node.range[k] = ranges[k];
+            node.range_second[k] = ranges[2 + k];
+        }
+        result_.nodes.push_back(node);
+        return std::ssize(result_.nodes) - 1;
+    }
+    int64_t add_node(NodeKind kind, const CrossSpot &spot) {
+        std::array<Interval, 4> ranges;
+        for (size_t i = 0; i < 4; ++i) {
+            const int axis = static_cast<int>(i % 2);
+            const double at =
+                std::clamp(spot.parameter[i], grid(i).break_at(axis, 0), grid(i).break_at(axis, count(i)));
+            ranges[i] = {at, at};
+        }
+        return add_node(kind, ranges);
+    }
+
+    // Where a way begins or ends.
+    int64_t node_at(size_t arc, size_t end) {
+        const CrossSpot &spot = spots_[end][arc];
+        if (found_.arcs[arc].ends[end].open) {
+            return add_node(NodeKind::border, spot);
+        }
+        for (size_t group = 0; group < groups_.size(); ++group) {
+            if (is_in(spot, groups_[group])) {
+                return static_cast<int64_t>(group);
+            }
+        }
+        return add_node(NodeKind::undecided, spot);
+    }
+    // With what sides are shifted by, and what seams move. Around parts in which arcs are not told apart there are some in which
+    // rounding hides them.
+    [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = (one_place + 16 * spot.noise[i]) * distances_.length(i, spot.index[i]) +
+                                ranges[i].upper - ranges[i].lower,
+                         at = spot.parameter[i];
+            const double period = wraps(i) ? surfaces_[i / 2]->borders.period(i % 2) : 0;
+            bool in = false;
+            for (const double x : {at, at - period, at + period}) {
+                in = in || (x >= ranges[i].lower - room && x <= ranges[i].upper + room);
+            }
+            if (!in) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // Where parameters do not go on chains are cut.
+    [[nodiscard]] bool is_seam(size_t before, size_t after) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double far = std::abs(spots_[1][before].parameter[i] - spots_[0][after].parameter[i]);
+            if (!is_periodic(i) && wraps(i) && far > surfaces_[i / 2]->borders.period(i % 2) / 2) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void add_chain(size_t first, bool closed) {
+        std::vector<size_t> arcs;
+        for (size_t arc = first; arc != unmatched && !taken_[arc]; arc = next_[arc]) {
+            taken_[arc] = true;
+            arcs.push_back(arc);
+        }
+        if (closed) {
+            const auto after_seam =
+                std::ranges::find_if(arcs, [&](size_t arc) { return is_seam(last_[arc], arc); });
+            std::rotate(arcs.begin(), after_seam == arcs.end() ? arcs.begin() : after_seam, arcs.end());
+        }
+        if (closed && std::ranges::all_of(arcs, [&](size_t arc) { return is_short(arc); })) {
+            add_node(NodeKind::undecided, spots_[0][first]);
+            return;
+        }
+        const bool cut = closed && is_seam(arcs.back(), arcs.front());
+        const size_t begun = result_.chains.size();
+        const int64_t loop = closed ? loops_++ : -1;
+        CrossChain chain;
+        for (size_t i = 0; i < arcs.size(); ++i) {
+            chain.arcs.push_back(arcs[i]);
+            if (i + 1 < arcs.size() && is_seam(arcs[i], arcs[i + 1])) {
+                add_part(std::exchange(chain, {}), loop, begun);
+            }
+        }
+        chain.closed = closed && !cut && chain.arcs.size() == arcs.size();
+        add_part(std::move(chain), loop, begun);
+        if (cut) {
+            go_on(result_.chains.back().nodes[1], result_.chains[begun].nodes[0]);
+        }
+    }
+    // Parts of one way follow each other.
+    void add_part(CrossChain chain, int64_t loop, size_t begun) {
+        chain.loop = loop;
+        const size_t first = chain.arcs.front(), last = chain.arcs.back();
+        if (!chain.closed) {
+            chain.nodes = {
+                last_[first] == unmatched ? node_at(first, 0) : add_node(NodeKind::seam, spots_[0][first]),
+                next_[last] == unmatched ? node_at(last, 1) : add_node(NodeKind::seam, spots_[1][last])};
+        }
+        if (result_.chains.size() > begun) {
+            go_on(result_.chains.back().nodes[1], chain.nodes[0]);
+        }
+        result_.chains.push_back(std::move(chain));
+    }
+    void go_on(int64_t from, int64_t to) {
+        result_.nodes[static_cast<size_t>(from)].next = to;
+        result_.nodes[static_cast<size_t>(to)].next = from;
+    }
+
+    std::array<const CrossSurface *, 2> surfaces_;
+    CrossDistances distances_;
+    const CrossParts &found_;
+    std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
+    std::vector<size_t> next_, last_;             // arcs
+    std::vector<bool> taken_;
+    std::vector<double> lengths_;                 // of arcs
+    std::vector<std::array<Interval, 4>> groups_; // of clusters: the first nodes
+    int64_t loops_ = 0;
+    CrossChains result_;
+};
+
+} // namespace
+
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossParts &found) {
+    return CrossJoining(a, b, found).run();
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Splines along chains of common arcs.
+#pragma once
+
+#include "intersect/surfaces/cross_chains.h"
+#include "intersect/surfaces/cross_segment.h"
+
+namespace nrb::intersect {
+
+// Cubics with the same knots, whose parameter is about the length in space: in space, and in the parameter domains, where
+// they may run into neighbouring periods.
+struct CrossCurve {
+    SplinePtr space;
+    std::array<SplinePtr, 2> on;
+    double deviation; // of all, in space
+};
+
+CrossCurve cross_curve(CrossFitter &fitter, const pieces::Frame &frame, const CrossSurface &a,
+                       const CrossSurface &b, const CrossParts &found, const CrossChain &chain);
+
+} // namespace nrb::intersect

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_search.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
+constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of each other that are halved
+constexpr size_t most_pairs = 1 << 16;
+constexpr size_t most_alike = 512; // pairs of one size of which one lies on the other as far as can be seen
+constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
+// In parts of the errors of points: what is no thicker is not told apart by smaller parts.
+constexpr double thick = 32;
+
+bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
+    const double room = a.error() + b.error();
+    for (size_t c = 0; c < 3; ++c) {
+        if (a.box()[c].lower - b.box()[c].upper > room || b.box()[c].lower - a.box()[c].upper > room) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// How far the middle of a part is from another one, near its foot there; infinite if that is not in the wide part.
+double distance_of_middle(const CrossCell &from, const CrossCell &to) noexcept {
+    constexpr int most_steps = 4;
+    std::array<double, 2> at{0.5, 0.5};
+    for (int i = 0;; ++i) {
+        count_work(300);
+        const CrossPiece::Point point = to.piece().evaluate(to.in_piece(at.data()));
+        const Vector3 away = from.centre() - point.at, u = to.length(0) * point.slope[0],
+                      v = to.length(1) * point.slope[1];
+        if (i == most_steps) {
+            return length(away);
+        }
+        const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
+        at[0] += (dot(away, u) * vv - dot(away, v) * uv) / determinant;
+        at[1] += (dot(away, v) * uu - dot(away, u) * uv) / determinant;
+        for (const double x : at) {
+            if (!(x >= -widening && x <= 1 + widening)) {
+                return infinity;
+            }
+        }
+    }
+}
+
+// Whether the cosine of the angle between the normals in the middles is not less.
+bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) noexcept {
+    const Vector3 of_a = cross(a.slope(0), a.slope(1)), of_b = cross(b.slope(0), b.slope(1));
+    return std::abs(dot(of_a, of_b)) >= least_cosine * length(of_a) * length(of_b);
+}
+
+bool is_positive(const closest::PairCell &cell) noexcept {
+    return cell.piece && cell.piece->positive();
+}
+
+} // namespace
+
+CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
+                        const SideShifts &shifts_of_axes)
+    : ground(surface, ends, shifts_of_axes), cells(surface, frame) {}
+
+CrossCell &CrossSearch::Side::root(PairCell &cell) {
+    if (cell.mark == 0) {
+        pieces.emplace_back(*cell.piece, ground);
+        roots.push_back(&parts.emplace_back(pieces.back()));
+        cell.mark = roots.size();
+        count_work(work_of_a_kept_part);
+    }
+    return *roots[cell.mark - 1];
+}
+
+CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
+                         const SurfaceBorders &borders_b)
+    : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a, side_shifts[0]),
+      b_(b, frame_, borders_b, side_shifts[1]) {}
+
+CrossParts CrossSearch::run(double tolerance) {
+    tolerance_ = frame_.scaled(tolerance);
+    find_pieces();
+    SearchSteps steps;
+    while (!pairs_.empty()) {
+        for (const Pair &pair : pairs_) {
+            if (work_ended() || next_.size() + flat_.size() > most_pairs) {
+                add(pair, false);
+            } else {
+                look(pair);
+            }
+            steps.next(next_.size());
+        }
+        settle_crowds();
+        pairs_ = std::exchange(next_, {});
+    }
+    return std::move(found_);
+}
+
+// Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other.
+void CrossSearch::settle_crowds() {
+    crowded_ = crowded_ || flat_.size() > most_flat || alike_ > most_alike;
+    for (const auto &[pair, first] : flat_) {
+        crowded_ ? add(pair, true) : halve(pair, first);
+    }
+    flat_.clear();
+    alike_ = 0;
+}
+
+void CrossSearch::find_pieces() {
+    stack_.emplace_back(&a_.cells.root(), &b_.cells.root());
+    while (!stack_.empty()) {
+        const auto [a, b] = stack_.back();
+        stack_.pop_back();
+        work_ended() ? add_unknown(*a, *b) : look_at(*a, *b);
+    }
+}
+
+void CrossSearch::look_at(PairCell &a, PairCell &b) {
+    a_.cells.tighten(a);
+    b_.cells.tighten(b);
+    count_work(24);
+    const double room = a.moved + b.moved + 16 * eps;
+    for (size_t c = 0; c < 3; ++c) {
+        if (a.box[c] - b.box[3 + c] > room || b.box[c] - a.box[3 + c] > room) {
+            return;
+        }
+    }
+    if (is_positive(a) && is_positive(b)) {
+        pairs_.push_back({&a_.root(a), &b_.root(b), false});
+    } else {
+        divide(a, b);
+    }
+}
+
+// Groups go before pieces.
+void CrossSearch::divide(PairCell &a, PairCell &b) {
+    const auto rank = [](const PairCell &cell) {
+        return is_positive(cell) ? -1 : cell.piece ? cell.size : cell.size + 1e3;
+    };
+    const bool first = rank(a) >= rank(b);
+    PairCell &cell = first ? a : b;
+    if ((cell.piece && cell.halvings >= most_blind_halvings) || !(first ? a_ : b_).cells.split(cell)) {
+        add_unknown(a, b);
+        return;
+    }
+    for (PairCell &child : cell.children) {
+        first ? stack_.emplace_back(&child, &b) : stack_.emplace_back(&a, &child);
+    }
+}
+
+void CrossSearch::look(const Pair &pair) {
+    count_work(24);
+    if (are_apart(*pair.a, *pair.b)) {
+        return;
+    }
+    if (!pair.a->prepare() || !pair.b->prepare()) {
+        halve(pair, !pair.a->prepare());
+        return;
+    }
+    box_.a = pair.a;
+    box_.b = pair.b;
+    switch (box_.chart.set(*pair.a, *pair.b)) {
+    case CrossChart::Verdict::apart:
+        return;
+    case CrossChart::Verdict::chart: {
+        const ArcFinder::Verdict verdict = finder_.look(box_);
+        if (verdict == ArcFinder::Verdict::arc) {
+            count_work(work_of_a_kept_part);
+            found_.arcs.push_back(finder_.arc());
+        } else if (verdict == ArcFinder::Verdict::open) {
+            halve({pair.a, pair.b, true}, box_.chart.first_bends_more());
+        }
+        return;
+    }
+    case CrossChart::Verdict::bent:
+    case CrossChart::Verdict::flat:
+        look_at_flat(pair);
+    }
+}
+
+// How far both reach on either side of a plane; less than 0: they are apart along its normal.
+double CrossSearch::thickness(const Pair &pair) const {
+    const Vector3 of_a = cross(pair.a->slope(0), pair.a->slope(1)),
+                  of_b = cross(pair.b->slope(0), pair.b->slope(1));
+    double least = infinity;
+    for (const Vector3 &normal : {of_a, of_b}) {
+        const double size = length(normal);
+        if (!(size > 0)) {
+            continue;
+        }
+        const Vector3 unit = (1 / size) * normal;
+        const Interval a = pair.a->points_along(unit), b = pair.b->points_along(unit);
+        const double between = dot(unit, pair.a->centre() - pair.b->centre()),
+                     room = 2 * (pair.a->error() + pair.b->error());
+        count_work(200);
+        if (between + a.lower - b.upper > room || between + a.upper - b.lower < -room) {
+            return -1;
+        }
+        least = std::min(least, std::max(b.upper, between + a.upper) - std::min(b.lower, between + a.lower));
+    }
+    return least;
+}
+
+// Whether the smaller part lies on the larger one, as far as its middle tells; where many do, whether it may.
+bool CrossSearch::are_along(const Pair &pair) {
+    if (!are_parallel(*pair.a, *pair.b, crowded_ ? 0.8 : 0.999)) {
+        return false;
+    }
+    if (crowded_) {
+        return true;
+    }
+    const bool first = pair.a->size() <= pair.b->size();
+    const bool alike = distance_of_middle(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a) <= tolerance_;
+    alike_ += alike ? 1 : 0;
+    return alike;
+}
+
+void CrossSearch::look_at_flat(const Pair &pair) {
+    const double thickness = this->thickness(pair), error = pair.a->piece().error + pair.b->piece().error;
+    if (thickness < 0) {
+        return;
+    }
+    const bool first =
+        box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size();
+    if (thickness <= thick * error) {
+        if (!pair.graph) {
+            add(pair, thickness <= tolerance_);
+        }
+    } else if (thickness <= tolerance_ || are_along(pair)) {
+        flat_.push_back({pair, first});
+    } else {
+        halve(pair, first);
+    }
+}
+
+void CrossSearch::halve(const Pair &pair, bool first) {
+    const double error = 4 * (pair.a->piece().error + pair.b->piece().error);
+    const bool pole = pair.a->has_pole() || pair.b->has_pole(); // where parts never have charts
+    const double small = pole ? std::max(error, tolerance_ / 4) : error;
+    for (const bool of_a : {first, !first}) {
+        CrossCell &cell = of_a ? *pair.a : *pair.b;
+        if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
+            for (size_t end = 0; end < 2; ++end) {
+                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph});
+            }
+            return;
+        }
+    }
+    if (!pair.graph) {
+        add(pair, false);
+    }
+}
+
+namespace {
+
+void set_ranges(const CrossCell &cell, Interval *ranges) noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const double lower = cell.piece().range[k].lower, upper = cell.piece().range[k].upper;
+        const auto parameter = [&](double place) {
+            return place == 1 ? upper : std::clamp(lower * (1 - place) + upper * place, lower, upper);
+        };
+        ranges[k] = {parameter(cell.lower(k)), parameter(cell.lower(k) + cell.length(k))};
+    }
+}
+
+} // namespace
+
+void CrossSearch::add(const Pair &pair, bool near) {
+    count_work(work_of_a_kept_part);
+    CrossCluster &cluster = found_.clusters.emplace_back();
+    cluster.near = near;
+    set_ranges(*pair.a, cluster.ranges.data());
+    set_ranges(*pair.b, cluster.ranges.data() + 2);
+}
+
+// Of groups of pieces all of the surface.
+void CrossSearch::add_unknown(const PairCell &a, const PairCell &b) {
+    CrossCluster &cluster = found_.clusters.emplace_back();
+    const auto set = [&](const PairCell &cell, const pieces::PieceGrid &grid, size_t at) {
+        for (size_t k = 0; k < 2; ++k) {
+            const int axis = static_cast<int>(k);
+            cluster.ranges[at + k] = {grid.break_at(axis, 0), grid.break_at(axis, grid.count(axis))};
+            if (cell.piece) {
+                cluster.ranges[at + k] = {cell.piece->parameter({0, 0})[k], cell.piece->parameter({1, 1})[k]};
+            }
+        }
+    };
+    set(a, a_.ground.grid, 0);
+    set(b, b_.ground.grid, 2);
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Finds the parts of two surfaces that have common curves, and these in them.
+#pragma once
+
+#include "closest/pair/pair_cells.h"
+#include "intersect/surfaces/cross_arc.h"
+
+#include <deque>
+#include <vector>
+
+namespace nrb::intersect {
+
+// A pair of parts of which it is left open what they have in common.
+struct CrossCluster {
+    std::array<Interval, 4> ranges; // parameters of both
+    bool near = false;              // they are within the tolerance of each other all over, and of one plane
+};
+
+struct CrossParts {
+    std::vector<CrossArc> arcs;
+    std::vector<CrossCluster> clusters;
+};
+
+// Pairs of pieces whose boxes have common points, then pairs of their parts, all of one size before smaller ones: a pair is
+// excluded, has a chart in which its arc is found, or one of both is halved. What is left where planes of tangents are all
+// but one is told by how the number of such pairs grows: a touch in one place leaves as many at each size, one along a
+// curve or in a region ever more.
+class CrossSearch {
+public:
+    CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
+                const SurfaceBorders &borders_b);
+
+    // tolerance: within which what is not told apart need not be. The cells that arcs are in last as long as the search.
+    CrossParts run(double tolerance);
+
+    [[nodiscard]] const pieces::Frame &frame() const noexcept { return frame_; }
+
+private:
+    using PairCell = closest::PairCell;
+    struct Side {
+        Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
+             const SideShifts &shifts_of_axes);
+        CrossCell &root(PairCell &cell);
+
+        CrossGround ground;
+        closest::PairCells cells;
+        std::deque<CrossPiece> pieces;
+        std::deque<CrossCell> parts;
+        std::vector<CrossCell *> roots; // by marks of cells
+    };
+    // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
+    // both sides of it go on in each other, or end.
+    struct Pair {
+        CrossCell *a, *b;
+        bool graph = false;
+    };
+
+    void find_pieces();
+    void look_at(PairCell &a, PairCell &b);
+    void divide(PairCell &a, PairCell &b);
+    void look(const Pair &pair);
+    void halve(const Pair &pair, bool first);
+    void look_at_flat(const Pair &pair);
+    bool are_along(const Pair &pair);
+    void settle_crowds();
+    void add(const Pair &pair, bool near);
+    void add_unknown(const PairCell &a, const PairCell &b);
+    [[nodiscard]] double thickness(const Pair &pair) const;
+
+    pieces::Frame frame_;
+    Side a_, b_;
+    double tolerance_ = 0;
+    std::vector<std::pair<PairCell *, PairCell *>> stack_;
+    struct FlatPair {
+        Pair pair;
+        bool first; // which of both is halved
+    };
+    std::vector<Pair> pairs_, next_;
+    std::vector<FlatPair> flat_;
+    size_t alike_ = 0; // pairs of this size of which one lies on the other
+    bool crowded_ = false;
+    ArcFinder finder_;
+    CrossBox box_{};
+    CrossParts found_;
+};
+
+} // namespace nrb::intersect

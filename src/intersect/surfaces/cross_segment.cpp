@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_segment.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "numeric/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr int most_depth = 20, most_depth_without_proof = 6, most_segments = 4096;
+
+std::array<double, 3> coordinates(const Vector3 &a) noexcept {
+    return {a.x, a.y, a.z};
+}
+
+int degree_of_differences(const std::array<int, 2> &a, const std::array<int, 2> &b) noexcept {
+    return 3 * (std::max(a[0] + a[1], b[0] + b[1]) + 1);
+}
+
+} // namespace
+
+CrossFitter::CrossFitter(const std::array<int, 2> &degrees_a, const std::array<int, 2> &degrees_b,
+                         double tolerance)
+    : tolerance_(tolerance), samples_(2 * degree_of_differences(degrees_a, degrees_b)) {
+    const int most = std::max({degrees_a[0], degrees_a[1], degrees_b[0], degrees_b[1]});
+    sampling_.resize(16 * (static_cast<size_t>(most) + 1));
+}
+
+void CrossFitter::set_arc(const CrossArc &arc) {
+    arc_ = &arc;
+    left_ = most_segments;
+    rounding_ = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        const CrossCell &cell = arc.box.cell(i);
+        const size_t k = i % 2;
+        slopes_[i] = cell.largest_slope(k);
+        const Interval &range = cell.piece().range[k];
+        const double digits =
+            2 * eps * std::max(std::abs(range.lower), std::abs(range.upper)) / (range.upper - range.lower);
+        const double shifted = cell.is_open(k, 0) || cell.is_open(k, 1) ? 2 * shift_of_sides : 0;
+        rounding_ += slopes_[i] / cell.length(k) * (digits + shifted);
+    }
+}
+
+// Their common point is what is midway between both.
+CrossFitter::Node CrossFitter::node(const CrossPlace &at) const noexcept {
+    const CrossBox::Value value = arc_->box.at(at);
+    Node node{at,
+              common_direction({value.a.slope[0], value.a.slope[1]}, {value.b.slope[0], value.b.slope[1]}),
+              coordinates(0.5 * (value.a.at + value.b.at)),
+              {}};
+    const Vector3 along = node.tangent_on[0] * value.a.slope[0] + node.tangent_on[1] * value.a.slope[1];
+    const double speed = length(along);
+    if (speed > 0) {
+        for (double &x : node.tangent_on) {
+            x /= speed;
+        }
+        node.tangent = coordinates((1 / speed) * along);
+    } else { // the curve stands still, or rounding hides where it goes
+        node.tangent_on = {};
+    }
+    return node;
+}
+
+void CrossFitter::fit(const CrossArc &arc, std::vector<CrossSegment> &segments) {
+    set_arc(arc);
+    fit_between(node(arc.ends[0].at), node(arc.ends[1].at), 0, segments);
+}
+
+// As long as an arc of a circle with that chord and these tangents. Where the curve is no longer than what rounding makes of its
+// ends tangents are no measure: legs are no longer than half the way, and coordinate k stays between its ends.
+CrossSegment CrossFitter::hermite(const Node &a, const Node &b) const noexcept {
+    const double chord = distance(a.point.data(), b.point.data(), 3),
+                 cosine = dot(a.tangent.data(), b.tangent.data(), 3);
+    CrossSegment segment;
+    segment.length = chord * (1 + (1 - cosine) / 12);
+    CrossPlace way{};
+    std::ranges::transform(a.at, b.at, way.begin(), std::minus<>());
+    const auto leg = [&](const Node &node) {
+        const double full = segment.length / 3 * largest(node.tangent_on), half = largest(way) / 2;
+        return full > half ? segment.length / 3 * (half / full) : segment.length / 3;
+    };
+    const double first = leg(a), last = leg(b);
+    const size_t axis = arc_->box.chart.axis();
+    const auto [lower, upper] = std::minmax({a.at[axis], b.at[axis]});
+    for (size_t i = 0; i < 4; ++i) {
+        auto &on = segment.on[i / 2];
+        const size_t k = i % 2;
+        const double second = a.at[i] + first * a.tangent_on[i], third = b.at[i] - last * b.tangent_on[i];
+        on[0][k] = a.at[i];
+        on[1][k] = i == axis ? std::clamp(second, lower, upper) : second;
+        on[2][k] = i == axis ? std::clamp(third, lower, upper) : third;
+        on[3][k] = b.at[i];
+    }
+    for (size_t c = 0; c < 3; ++c) {
+        segment.space[0][c] = a.point[c];
+        segment.space[1][c] = a.point[c] + first * a.tangent[c];
+        segment.space[2][c] = b.point[c] - last * b.tangent[c];
+        segment.space[3][c] = b.point[c];
+    }
+    return segment;
+}
+
+CrossPlace CrossFitter::off_at(double difference) const noexcept {
+    const CrossChart &chart = arc_->box.chart;
+    CrossPlace off{};
+    for (size_t i = 0; i < 4; ++i) {
+        off[i] = 1.0001 * difference * (chart.norm(i) + chart.rho(i) * chart.norm() / (1 - chart.rho()));
+    }
+    return off;
+}
+
+double CrossFitter::moved_by(const CrossPlace &off, size_t surface) const noexcept {
+    return slopes_[2 * surface] * off[2 * surface] + slopes_[2 * surface + 1] * off[2 * surface + 1];
+}
+
+double CrossFitter::largest_gap(const CrossSegment &segment, size_t surface) {
+    static constexpr std::array<double, 4> no_form{};
+    const CrossCell &cell = surface == 0 ? *arc_->box.a : *arc_->box.b;
+    std::array<std::array<double, 2>, 4> on;
+    for (size_t i = 0; i < 4; ++i) {
+        on[i] = cell.in_piece(segment.on[surface][i].data());
+    }
+    const SampledPiece piece{{cell.piece().degrees, cell.piece().piece.record(0)}, no_form.data(), {}};
+    count_work(static_cast<int64_t>(samples_.count()) * 4 * cell.piece().piece.coefficients());
+    return 1.01 * std::numbers::sqrt2 *
+           largest_differences(piece, samples_, on, segment.space, sampling_.data()).gap /
+           cell.least_weight();
+}
+
+// The arc has a zero for each value of coordinate k between those of its ends, in the box: so that no place is farther from it
+// than from all of the box.
+bool CrossFitter::limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept {
+    const CrossBox &box = arc_->box;
+    const size_t axis = box.chart.axis();
+    const auto [first, last] = std::minmax({arc_->ends[0].at[axis], arc_->ends[1].at[axis]});
+    for (size_t i = 0; i < 4; ++i) {
+        const size_t k = i % 2;
+        const double room = 64 * shift_of_sides / box.cell(i).length(k);
+        const Interval range =
+            i == axis ? Interval{first - room, last + room} : Interval{-widening, 1 + widening};
+        double farthest = 0;
+        for (const std::array<double, 2> &place : segment.on[i / 2]) {
+            if (!(place[k] >= range.lower && place[k] <= range.upper)) {
+                return false;
+            }
+            farthest = std::max({farthest, place[k] - box.side(i, 0), box.side(i, 1) - place[k]});
+        }
+        off[i] = std::min(off[i], farthest);
+    }
+    return true;
+}
+
+void CrossFitter::set_deviation(CrossSegment &segment) {
+    const std::array<double, 2> gaps{largest_gap(segment, 0), largest_gap(segment, 1)};
+    CrossPlace off = off_at(gaps[0] + gaps[1] + arc_->box.chart.near());
+    if (!limit_to_box(segment, off)) {
+        segment.deviation = infinity;
+        return;
+    }
+    const double on_a = moved_by(off, 0), on_b = moved_by(off, 1),
+                 in_space = std::min(gaps[0] + on_a, gaps[1] + on_b);
+    segment.deviation = std::max({on_a, on_b, in_space}) + rounding_ + arc_->box.chart.near();
+}
+
+void CrossFitter::fit_between(const Node &a, const Node &b, int depth, std::vector<CrossSegment> &segments) {
+    CrossSegment segment = hermite(a, b);
+    set_deviation(segment);
+    const CrossPlace least_off = off_at(arc_->box.chart.near());
+    const double least = rounding_ + std::max(moved_by(least_off, 0), moved_by(least_off, 1));
+    const bool done = segment.deviation <= std::max(tolerance_, 2 * least) || left_ <= 0 || work_ended() ||
+                      depth >= (std::isfinite(segment.deviation) ? most_depth : most_depth_without_proof);
+    if (!done) {
+        divide(a, b, segment.deviation, depth, segments);
+        return;
+    }
+    to_parameters(segment);
+    segment.slopes = slopes_;
+    for (size_t i = 0; i < 4; ++i) {
+        const CrossCell &cell = arc_->box.cell(i);
+        const Interval &range = cell.piece().range[i % 2];
+        segment.slopes[i] /= cell.length(i % 2) * (range.upper - range.lower);
+    }
+    segments.push_back(segment);
+    --left_;
+}
+
+// Errors fall with the fourth power of the length.
+void CrossFitter::divide(const Node &a, const Node &b, double deviation, int depth,
+                         std::vector<CrossSegment> &segments) {
+    const double wanted = std::ceil(1.05 * std::sqrt(std::sqrt(deviation / tolerance_)));
+    const int parts = wanted < 16 ? std::max(static_cast<int>(wanted), 2) : std::isfinite(wanted) ? 16 : 2;
+    const size_t k = arc_->box.chart.axis();
+    Node from = a;
+    for (int i = 1; i <= parts; ++i) {
+        Node to = b;
+        if (i < parts) {
+            const double share = static_cast<double>(i) / parts;
+            CrossPlace at{};
+            for (size_t c = 0; c < 4; ++c) {
+                at[c] = a.at[c] + share * (b.at[c] - a.at[c]);
+            }
+            if (!arc_->box.solve(k, at)) {
+                continue;
+            }
+            to = node(at);
+        }
+        fit_between(from, to, depth + (parts > 4 ? 3 : parts > 2 ? 2 : 1), segments);
+        from = to;
+    }
+}
+
+void CrossFitter::to_parameters(CrossSegment &segment) const noexcept {
+    for (size_t s = 0; s < 2; ++s) {
+        const CrossCell &cell = s == 0 ? *arc_->box.a : *arc_->box.b;
+        for (std::array<double, 2> &place : segment.on[s]) {
+            place = cell.in_piece(place.data());
+            for (size_t k = 0; k < 2; ++k) {
+                const Interval &range = cell.piece().range[k];
+                place[k] =
+                    place[k] == 1 ? range.upper : range.lower * (1 - place[k]) + range.upper * place[k];
+            }
+        }
+    }
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Cubic pieces of curves along common arcs of two surfaces, each with a proven bound of its distance.
+#pragma once
+
+#include "intersect/levels/curves/sample_kernel.h"
+#include "intersect/surfaces/cross_arc.h"
+
+#include <array>
+#include <vector>
+
+namespace nrb::intersect {
+
+// Control points over a length of the parameter: parameters of both surfaces, and points in the frame of both.
+struct CrossSegment {
+    double length = 0;
+    std::array<std::array<std::array<double, 2>, 4>, 2> on{};
+    std::array<std::array<double, 3>, 4> space{};
+    double deviation = 0;           // of all three, in space, from the common curve
+    std::array<double, 4> slopes{}; // the largest ones around, by parameters
+};
+
+// With points, and tangents of length 1 in space, at both ends (Hermite). The differences of the curve in space from each
+// surface over its curve there, times weights, are polynomials of the parameter. Of degree n they are at most sqrt 2 times as
+// large as at 2 n + 1 Chebyshev points: a trigonometric polynomial of degree n falls from its largest value no faster than the
+// cosine of n times the way (M. Riesz, Jahresber. Dtsch. Math.-Ver. 23 (1914)), and none of these is farther than pi / (4 n)
+// from a point. What both add up to bounds |F| of the places on both, and so, in the chart of the arc, how far these are from
+// the zero with the same coordinate k: coordinate i by |row i of M| |F| + rho_i max |M F| / (1 - rho).
+class CrossFitter {
+public:
+    // tolerance: in the frame.
+    CrossFitter(const std::array<int, 2> &degrees_a, const std::array<int, 2> &degrees_b, double tolerance);
+
+    void fit(const CrossArc &arc, std::vector<CrossSegment> &segments);
+
+private:
+    struct Node {
+        CrossPlace at{}, tangent_on{};
+        std::array<double, 3> point{}, tangent{};
+    };
+
+    void set_arc(const CrossArc &arc);
+    [[nodiscard]] Node node(const CrossPlace &at) const noexcept;
+    void fit_between(const Node &a, const Node &b, int depth, std::vector<CrossSegment> &segments);
+    void divide(const Node &a, const Node &b, double deviation, int depth,
+                std::vector<CrossSegment> &segments);
+    // In places of the parts.
+    [[nodiscard]] CrossSegment hermite(const Node &a, const Node &b) const noexcept;
+    void set_deviation(CrossSegment &segment);
+    bool limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept;
+    // Of places at which |F| is no larger: how far they are off by coordinates, and the surfaces over them in space.
+    [[nodiscard]] CrossPlace off_at(double difference) const noexcept;
+    [[nodiscard]] double moved_by(const CrossPlace &off, size_t surface) const noexcept;
+    [[nodiscard]] double largest_gap(const CrossSegment &segment, size_t surface);
+    void to_parameters(CrossSegment &segment) const noexcept;
+
+    double tolerance_;
+    CubicSamples samples_;
+    std::vector<double> sampling_;
+    const CrossArc *arc_ = nullptr;
+    std::array<double, 4> slopes_{}; // the largest ones, by places in the parts
+    double rounding_ = 0;            // of the parameters, in space
+    int left_ = 0;                   // segments that the present arc may still have
+};
+
+} // namespace nrb::intersect

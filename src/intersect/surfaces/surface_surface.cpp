@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/surface_surface.h"
+
+#include "base/watch.h"
+#include "intersect/surfaces/cross_curve.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nrb::intersect {
+
+namespace {
+
+std::array<int, 2> degrees_of(const Spline &surface) noexcept {
+    return {surface.axis(0).degree(), surface.axis(1).degree()};
+}
+
+} // namespace
+
+Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
+    const UsualLimit usual(usual_work(a.point_count() + b.point_count()));
+    const LimitedSearch limited;
+    const pieces::PieceGrid &grid_a = pieces::piece_grid_of(a), &grid_b = pieces::piece_grid_of(b);
+    const SurfaceBorders borders_a(grid_a), borders_b(grid_b);
+    const CrossSurface on_a{grid_a, borders_a}, on_b{grid_b, borders_b};
+    CrossSearch search(a, b, borders_a, borders_b);
+    const CrossParts found = search.run(tolerance);
+    CrossChains chains = cross_chains(on_a, on_b, found);
+    Meet meet;
+    meet.of_two = true;
+    meet.nodes = std::move(chains.nodes);
+    meet.complete = std::ranges::none_of(
+        meet.nodes, [](const MeetNode &node) { return node.kind == NodeKind::undecided; });
+    CrossFitter fitter(degrees_of(a), degrees_of(b), search.frame().scaled(tolerance));
+    for (const CrossChain &chain : chains.chains) {
+        CrossCurve curve = cross_curve(fitter, search.frame(), on_a, on_b, found, chain);
+        MeetBranch &branch = meet.branches.emplace_back();
+        branch.level = 0;
+        branch.space = std::move(curve.space);
+        branch.on = std::move(curve.on[0]);
+        branch.on_second = std::move(curve.on[1]);
+        branch.deviation = curve.deviation;
+        branch.nodes = chain.nodes;
+        branch.loop = chain.loop;
+    }
+    return meet;
+}
+
+} // namespace nrb::intersect

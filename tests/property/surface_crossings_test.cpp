@@ -1,0 +1,337 @@
+// Laws of the curves in which two surfaces meet.
+#include "crossings.h"
+#include "made_shapes.h"
+#include "support/scale.h"
+
+#include <numbers>
+
+namespace surface_crossings {
+
+namespace {
+
+constexpr double pi = std::numbers::pi, tolerance = 1e-6;
+
+SplineData ball(double r, const Point3 &centre) {
+    return moved(revolved(ellipse_arc(0, 0, r, r, -pi / 2, pi), 0, 2 * pi), centre);
+}
+SplineData ring(double big, double small) {
+    return revolved(ellipse_arc(big, 0, small, small, 0, 2 * pi), 0, 2 * pi);
+}
+SplineData tube(double r, double half) {
+    return revolved(segment(r, -half, r, half), 0, 2 * pi);
+}
+SplineData flat(double z, double slope = 0) {
+    return net_of({2, 2}, {1, 1}, false, [=](double u, double v) {
+        return std::array<double, 4>{4 * u - 2, 4 * v - 2, z + slope * (4 * u - 2), 1};
+    });
+}
+
+struct Counts {
+    int64_t open, closed;
+};
+void expect_complete(const SplineData &a, const SplineData &b, Counts expected, const std::string &name) {
+    SCOPED_TRACE(name);
+    const Handle first = create(a), second = create(b);
+    const Crossing crossing = crossing_of(first.get(), second.get(), tolerance);
+    EXPECT_TRUE(crossing.found.complete);
+    EXPECT_EQ(crossing.open_ways, expected.open);
+    EXPECT_EQ(crossing.closed_ways, expected.closed);
+    for (const Branch &branch : crossing.found.branches) {
+        EXPECT_LE(branch.deviation, tolerance);
+    }
+    check_curves(crossing, Ground(first.get(), a), Ground(second.get(), b));
+    check_nodes(crossing, 1e-9);
+}
+
+TEST(SurfaceCrossings, KnownShapes) {
+    expect_complete(tube(1, 3), turned(tube(0.6, 3)), {0, 2}, "cylinders of unequal radii");
+    expect_complete(tube(1, 3), moved(turned(tube(0.6, 3)), {0, 0.7, 0}), {0, 1},
+                    "one beside the axis of the other");
+    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(0.97, 3), {1, 0, 0}), {0, 2},
+                    "all but Viviani's curve");
+    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(1.03, 3), {1, 0, 0}), {0, 1}, "the other side of it");
+    expect_complete(ball(1, {3, 0, 0}), ring(3, 1.5), {0, 0}, "a ball in a ring");
+    expect_complete(ball(1, {3.9, 0.1, 0.2}), ring(3, 0.5), {0, 1}, "a ball on a ring");
+    expect_complete(ball(1.2, {3, 0.1, 0.05}), ring(3, 0.8), {0, 2}, "a ball around a ring");
+    expect_complete(turned(tube(0.5, 6)), ring(3, 0.8), {0, 4}, "a rod through a ring");
+    expect_complete(quadratic_graph(1, 0, -1, 0, -1, -1), flat(0.2), {2, 0}, "a saddle below a plane");
+    expect_complete(quadratic_graph(1, 0, -1, 0, -1, -1), flat(-1e-4), {2, 0}, "a saddle above a plane");
+}
+
+// Waves of height 0.2 cross a surface of smaller ones six times.
+SplineData waves(bool rational) {
+    return net_of({20, 20}, {3, 3}, rational, [](double u, double v) {
+        return std::array<double, 4>{u, v, 0.2 * std::sin(6 * pi * u) + 0.03 * std::cos(5 * v),
+                                     1 + 0.5 * std::sin(7 * u + 3 * v)};
+    });
+}
+SplineData ripples(bool rational, double height) {
+    return net_of({20, 20}, {3, 3}, rational, [=](double u, double v) {
+        return std::array<double, 4>{1.2 * u - 0.1, 1.2 * v - 0.1,
+                                     height + 0.01 * std::sin(2 * pi * u + 4 * v),
+                                     1 + 0.5 * std::cos(5 * u - 4 * v)};
+    });
+}
+
+TEST(SurfaceCrossings, SixBranches) {
+    for (const bool rational : {false, true}) {
+        expect_complete(waves(rational), ripples(rational, 0.05), {6, 0},
+                        rational ? "rational" : "polynomial");
+    }
+}
+
+// The branch runs along N_b x N_a.
+TEST(SurfaceCrossings, Direction) {
+    const Handle a = create(waves(true)), b = create(ripples(true, 0.05));
+    const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+    const auto product = [](const Point3 &x, const Point3 &y) {
+        return Point3{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+    };
+    const auto normal = [&](const nurbs *g, const Place &at) {
+        const std::vector<double> s = eval_derivs(g, 1, {at[0], at[1]});
+        return product({s[3], s[4], s[5]}, {s[6], s[7], s[8]});
+    };
+    for (size_t i = 0; i < crossing.found.branches.size(); ++i) {
+        const Branch &branch = crossing.found.branches[i];
+        const std::vector<double> t = branch.params(20);
+        const std::vector<Point3> space = points_on(branch.space.get(), t);
+        const std::vector<Place> on_a = places_on(branch.on.get(), t),
+                                 on_b = places_on(crossing.on_second[i].get(), t);
+        for (size_t k = 0; k + 1 < t.size(); ++k) {
+            const Point3 along = product(normal(b.get(), on_b[k]), normal(a.get(), on_a[k]));
+            const Point3 step{space[k + 1][0] - space[k][0], space[k + 1][1] - space[k][1],
+                              space[k + 1][2] - space[k][2]};
+            EXPECT_GT(dot(along, step), 0) << "branch " << i << ", step " << k;
+        }
+    }
+}
+
+// Loops around the lowest point of z = x^2 + 0.3 x y + 0.8 y^2, down to a millionth of the surface.
+TEST(SurfaceCrossings, SmallLoops) {
+    for (const double r : {0.3, 1e-2, 1e-3, 1e-4, 1e-5, 4e-6}) {
+        SCOPED_TRACE(r);
+        const SplineData bowl = quadratic_graph(1, 0.3, 0.8, 0, -1.03, -1.01), plane = flat(r * r);
+        const Handle a = create(bowl), b = create(plane);
+        const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+        EXPECT_TRUE(crossing.found.complete);
+        EXPECT_EQ(crossing.closed_ways, 1);
+        EXPECT_EQ(crossing.open_ways, 0);
+        EXPECT_NEAR(length_of(crossing.found) / r, 6.742, 0.01);
+        check_curves(crossing, Ground(a.get(), bowl), Ground(b.get(), plane));
+    }
+}
+
+// Random patches over the square [-1, 1]^2 and beyond it, on which the other surface is a graph.
+SplineData random_patch(Random &random) {
+    const std::array<int, 2> degrees{random.whole(1, 4), random.whole(1, 4)};
+    const std::array<int, 2> counts{degrees[0] + random.whole(1, 4), degrees[1] + random.whole(1, 4)};
+    const bool rational = random.chance(50);
+    return net_of(counts, degrees, rational, [&](double u, double v) {
+        return std::array<double, 4>{1.6 * u - 0.8 + random.between(-0.15, 0.15),
+                                     1.6 * v - 0.8 + random.between(-0.15, 0.15), random.between(-0.6, 0.6),
+                                     random.between(0.5, 2)};
+    });
+}
+
+// The zeros of a polynomial on the patch, which are found in another way.
+struct Oracle {
+    bool complete;
+    Counts counts;
+    double length;
+};
+Oracle oracle_of(const nurbs *g, int32_t degree, const std::vector<double> &coefficients) {
+    nurbs_meet *meet = nullptr;
+    require_ok(nurbs_surface_level(g, degree, coefficients.data(), 1e-7, &meet));
+    const MeetHandle owner(meet);
+    Crossing crossing;
+    count_ways(meet, crossing);
+    const Found found = found_in(meet);
+    return {found.complete && found.count(NURBS_NODE_TOUCH) == 0,
+            {crossing.open_ways, crossing.closed_ways},
+            length_of(found)};
+}
+
+TEST(SurfaceCrossings, AsManyAsZerosOfAPolynomial) {
+    Random random(0x5c01);
+    int64_t compared = 0, branches = 0;
+    const int64_t cases = scaled(300);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        const SplineData patch = random_patch(random);
+        const double a = random.between(-0.5, 0.5), b = random.between(-0.5, 0.5),
+                     c = random.between(-0.5, 0.5), d = random.between(-0.3, 0.3);
+        const SplineData graph = quadratic_graph(a, b, c, d, -1, -1);
+        const Handle first = create(patch), second = create(graph);
+        // Of x^2, x y, x z, x, y^2, y z, y, z^2, z, 1.
+        const std::vector<double> coefficients{a, b, 0, 0, c, 0, 0, 0, -1, d};
+        const Oracle oracle = oracle_of(first.get(), 2, coefficients);
+        const Crossing crossing = crossing_of(first.get(), second.get(), 1e-5);
+        if (!oracle.complete || !crossing.found.complete) {
+            continue;
+        }
+        ++compared;
+        branches += crossing.open_ways + crossing.closed_ways;
+        EXPECT_EQ(crossing.open_ways, oracle.counts.open);
+        EXPECT_EQ(crossing.closed_ways, oracle.counts.closed);
+        EXPECT_NEAR(length_of(crossing.found), oracle.length, 1e-3 * (1 + oracle.length));
+        check_curves(crossing, Ground(first.get(), patch), Ground(second.get(), graph), 40);
+    }
+    EXPECT_GE(compared, cases * 95 / 100);
+    EXPECT_GE(branches, compared);
+}
+
+// Turned and moved at random, so that it cuts the other one anyhow.
+SplineData anyhow(Random &random, SplineData data) {
+    move(data, random_motion(random, 3, 1, 0.3));
+    return data;
+}
+
+struct Ways {
+    int64_t open, closed;
+    bool complete;
+    double length;
+};
+Ways ways_of(const nurbs *a, const nurbs *b) {
+    const Crossing crossing = crossing_of(a, b, 1e-5);
+    return {crossing.open_ways, crossing.closed_ways, crossing.found.complete, length_of(crossing.found)};
+}
+void expect_same(const Ways &a, const Ways &b, const char *law) {
+    SCOPED_TRACE(law);
+    if (a.complete && b.complete) {
+        EXPECT_EQ(a.open, b.open);
+        EXPECT_EQ(a.closed, b.closed);
+        EXPECT_NEAR(a.length, b.length, 2e-4 * (1 + a.length));
+    }
+}
+
+// The same shapes in other forms, and the other way round, meet in as many curves.
+TEST(SurfaceCrossings, LawsOfForms) {
+    Random random(0x5c02);
+    int64_t complete = 0, branches = 0;
+    const int64_t cases = scaled(150);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        const SplineData data_a = random_patch(random), data_b = anyhow(random, random_patch(random));
+        const Handle a = create(data_a), b = create(data_b);
+        const Crossing crossing = crossing_of(a.get(), b.get(), 1e-5);
+        check_curves(crossing, Ground(a.get(), data_a), Ground(b.get(), data_b), 40);
+        const Ways ways{crossing.open_ways, crossing.closed_ways, crossing.found.complete,
+                        length_of(crossing.found)};
+        complete += ways.complete ? 1 : 0;
+        branches += ways.open + ways.closed;
+        expect_same(ways, ways_of(b.get(), a.get()), "exchanged");
+        const Handle fine =
+            made([&](nurbs **out) { return nurbs_refine_uniform(a.get(), random.whole(0, 1), 3, out); });
+        expect_same(ways, ways_of(fine.get(), b.get()), "refined");
+        const Handle raised = elevate(b.get(), random.whole(0, 1), 1);
+        expect_same(ways, ways_of(a.get(), raised.get()), "elevated");
+        const Handle other =
+            disguised(random, made([&](nurbs **out) { return nurbs_clone(b.get(), out); }), 2);
+        expect_same(ways, ways_of(a.get(), other.get()), "in another form");
+    }
+    EXPECT_GE(complete, cases * 95 / 100);
+    EXPECT_GE(branches, cases / 2);
+}
+
+// Of any knots and weights: repeated ones and jumps, unclamped and periodic axes, points far from the origin.
+TEST(SurfaceCrossings, AnySplines) {
+    Random random(0x5c03);
+    int64_t complete = 0, branches = 0;
+    const int64_t cases = scaled(60);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        Recipe recipe_a = random_recipe(random, 2, 3), recipe_b = random_recipe(random, 2, 3);
+        recipe_a.dim = recipe_b.dim = 3;
+        for (Recipe *recipe : {&recipe_a, &recipe_b}) {
+            for (AxisRecipe &axis : recipe->axes) {
+                axis.degree = std::max(axis.degree, 1);
+            }
+        }
+        const SplineData data_a = random_spline(random, recipe_a), data_b = random_spline(random, recipe_b);
+        const Handle a = create(data_a), b = create(data_b);
+        const double size = std::max(extent(data_a), extent(data_b));
+        nurbs_call_options call;
+        require_ok(nurbs_call_options_init(&call, sizeof call));
+        call.work = 20000000;
+        const Crossing crossing = crossing_of(a.get(), b.get(), 1e-5 * size, &call);
+        complete += crossing.found.complete ? 1 : 0;
+        branches += crossing.open_ways + crossing.closed_ways;
+        check_curves(crossing, Ground(a.get(), data_a), Ground(b.get(), data_b), 20);
+        const Crossing exchanged = crossing_of(b.get(), a.get(), 1e-5 * size, &call);
+        if (crossing.found.complete && exchanged.found.complete) {
+            EXPECT_EQ(crossing.open_ways, exchanged.open_ways);
+            EXPECT_EQ(crossing.closed_ways, exchanged.closed_ways);
+        }
+    }
+    EXPECT_GE(complete, cases / 2);
+    EXPECT_GE(branches, cases / 4);
+}
+
+// What touches is left open: where, and nothing else.
+TEST(SurfaceCrossings, WhatTouchesIsLeftOpen) {
+    struct Touch {
+        SplineData a, b;
+        int64_t branches, least_nodes, most_nodes; // nodes that are undecided
+        const char *name;
+    };
+    const std::vector<Touch> touches{
+        {quadratic_graph(1, 0, -1, 0, -1, -1), flat(0), 4, 1, 1, "a saddle at its level"},
+        {quadratic_graph(1, 0.3, 0.8, 0, -1.03, -1.01), flat(0), 0, 1, 1, "a bowl on a plane"},
+        {tube(1, 3), turned(tube(1, 3)), 6, 2, 2, "cylinders of equal radii"},
+        {ball(1, {1, 0, 0}), moved(flat(0), {0, 0, 1}), 0, 1, 1, "a plane on a pole"},
+        {waves(true), waves(true), 0, 1, 8, "a surface and itself"},
+        {tube(1, 3), moved(tube(1, 2), {0, 0, 0.5}), 0, 1, 8, "a part of a surface"},
+        {ring(1.2, 0.5), moved(flat(0), {0, 0, 0.5}), 0, 1, 8, "a plane on a ring, along a circle"}};
+    for (const Touch &touch : touches) {
+        SCOPED_TRACE(touch.name);
+        const Handle a = create(touch.a), b = create(touch.b);
+        const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+        const int64_t open = crossing.found.count(NURBS_NODE_UNDECIDED);
+        EXPECT_FALSE(crossing.found.complete);
+        EXPECT_EQ(std::ssize(crossing.found.branches), touch.branches);
+        EXPECT_GE(open, touch.least_nodes);
+        EXPECT_LE(open, touch.most_nodes);
+        check_curves(crossing, Ground(a.get(), touch.a), Ground(b.get(), touch.b));
+    }
+}
+
+// Nothing depends on the units of length and of parameters.
+TEST(SurfaceCrossings, Scales) {
+    const SplineData a = waves(true), b = ripples(true, 0.05);
+    const Ways ways = ways_of(create(a).get(), create(b).get());
+    EXPECT_EQ(ways.open, 6);
+    for (const double size : {0x1p-40, 1e-6, 1e6, 0x1p60}) {
+        for (const double speed : {1e-9, 1.0, 1e9}) {
+            const Handle first = create(scaled(a, size, speed)), second = create(scaled(b, size, 1 / speed));
+            const Crossing crossing = crossing_of(first.get(), second.get(), 1e-5 * size);
+            EXPECT_TRUE(crossing.found.complete);
+            EXPECT_EQ(crossing.open_ways, 6);
+            EXPECT_NEAR(length_of(crossing.found) / size, ways.length, 1e-4);
+        }
+    }
+}
+
+// Where the work ends early the answer says so; what it tells of curves holds.
+TEST(SurfaceCrossings, LimitsOfWork) {
+    const SplineData data_a = waves(false), data_b = ripples(false, 0.05);
+    const Handle a = create(data_a), b = create(data_b);
+    nurbs_call_options call;
+    require_ok(nurbs_call_options_init(&call, sizeof call));
+    bool complete = false;
+    for (call.work = 1; call.work < 1000000000; call.work *= 4) {
+        SCOPED_TRACE(call.work);
+        const Crossing crossing = crossing_of(a.get(), b.get(), tolerance, &call);
+        complete = crossing.found.complete;
+        if (complete) {
+            EXPECT_EQ(crossing.open_ways + crossing.closed_ways, 6);
+        }
+        for (const Branch &branch : crossing.found.branches) {
+            EXPECT_GT(branch.deviation, 0);
+        }
+    }
+    EXPECT_TRUE(complete);
+}
+
+} // namespace
+
+} // namespace surface_crossings
