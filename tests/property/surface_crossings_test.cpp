@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi, tolerance = 1e-6;
 
 SplineData ball(double r, const Point3 &centre) {
-    return moved(revolved(ellipse_arc(0, 0, r, r, -pi / 2, pi), 0, 2 * pi), centre);
+    return support::moved(revolved(ellipse_arc(0, 0, r, r, -pi / 2, pi), 0, 2 * pi), centre);
 }
 SplineData ring(double big, double small) {
     return revolved(ellipse_arc(big, 0, small, small, 0, 2 * pi), 0, 2 * pi);
@@ -45,11 +45,12 @@ void expect_complete(const SplineData &a, const SplineData &b, Counts expected, 
 
 TEST(SurfaceCrossings, KnownShapes) {
     expect_complete(tube(1, 3), turned(tube(0.6, 3)), {0, 2}, "cylinders of unequal radii");
-    expect_complete(tube(1, 3), moved(turned(tube(0.6, 3)), {0, 0.7, 0}), {0, 1},
+    expect_complete(tube(1, 3), support::moved(turned(tube(0.6, 3)), {0, 0.7, 0}), {0, 1},
                     "one beside the axis of the other");
-    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(0.97, 3), {1, 0, 0}), {0, 2},
+    expect_complete(ball(2, {0, 0, 0.01}), support::moved(tube(0.97, 3), {1, 0, 0}), {0, 2},
                     "all but Viviani's curve");
-    expect_complete(ball(2, {0, 0, 0.01}), moved(tube(1.03, 3), {1, 0, 0}), {0, 1}, "the other side of it");
+    expect_complete(ball(2, {0, 0, 0.01}), support::moved(tube(1.03, 3), {1, 0, 0}), {0, 1},
+                    "the other side of it");
     expect_complete(ball(1, {3, 0, 0}), ring(3, 1.5), {0, 0}, "a ball in a ring");
     expect_complete(ball(1, {3.9, 0.1, 0.2}), ring(3, 0.5), {0, 1}, "a ball on a ring");
     expect_complete(ball(1.2, {3, 0.1, 0.05}), ring(3, 0.8), {0, 2}, "a ball around a ring");
@@ -278,10 +279,10 @@ TEST(SurfaceCrossings, WhatTouchesIsLeftOpen) {
         {quadratic_graph(1, 0, -1, 0, -1, -1), flat(0), 4, 1, 1, "a saddle at its level"},
         {quadratic_graph(1, 0.3, 0.8, 0, -1.03, -1.01), flat(0), 0, 1, 1, "a bowl on a plane"},
         {tube(1, 3), turned(tube(1, 3)), 6, 2, 2, "cylinders of equal radii"},
-        {ball(1, {1, 0, 0}), moved(flat(0), {0, 0, 1}), 0, 1, 1, "a plane on a pole"},
+        {ball(1, {1, 0, 0}), support::moved(flat(0), {0, 0, 1}), 0, 1, 1, "a plane on a pole"},
         {waves(true), waves(true), 0, 1, 8, "a surface and itself"},
-        {tube(1, 3), moved(tube(1, 2), {0, 0, 0.5}), 0, 1, 8, "a part of a surface"},
-        {ring(1.2, 0.5), moved(flat(0), {0, 0, 0.5}), 0, 1, 8, "a plane on a ring, along a circle"}};
+        {tube(1, 3), support::moved(tube(1, 2), {0, 0, 0.5}), 0, 1, 8, "a part of a surface"},
+        {ring(1.2, 0.5), support::moved(flat(0), {0, 0, 0.5}), 0, 1, 8, "a plane on a ring, along a circle"}};
     for (const Touch &touch : touches) {
         SCOPED_TRACE(touch.name);
         const Handle a = create(touch.a), b = create(touch.b);
