@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 
 namespace nrb::face {
 
@@ -116,8 +115,8 @@ std::vector<SplinePtr> make_edges(const Face &face) {
     return edges;
 }
 
-// Among all of the face.
-size_t number_of(const Face &face, const Coedge &coedge) {
+// Among all of the face; none: it is a copy.
+std::optional<size_t> number_of(const Face &face, const Coedge &coedge) {
     size_t number = 0;
     for (const Loop &loop : face.loops()) {
         const auto *first = loop.data(), *last = first + loop.size();
@@ -126,7 +125,7 @@ size_t number_of(const Face &face, const Coedge &coedge) {
         }
         number += loop.size();
     }
-    throw std::logic_error("a coedge of another face");
+    return std::nullopt;
 }
 
 } // namespace
@@ -136,7 +135,9 @@ SplinePtr edge_of(const Face &face, const Coedge &coedge) {
     if (coedge.edge != nullptr) {
         return coedge.edge;
     }
-    return face.made_edges().get([&] { return make_edges(face); })[number_of(face, coedge)];
+    const std::optional<size_t> number = number_of(face, coedge);
+    return number ? face.made_edges().get([&] { return make_edges(face); })[*number]
+                  : make_edge(face, coedge);
 }
 
 Deviation deviation_of(const Face &face, const Coedge &coedge) {

@@ -10,7 +10,8 @@ import nurbs
 
 HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/nurbs/nurbs.h"
 NAMESAKES = {"clone": "copy", "clamp_ends": "clamp", "is_rational": "rational", "knot_form": "knot_forms",
-             "degree": "degrees", "count": "counts", "unwrapped_count": "unwrapped_counts", "region_create": "region", "region_combine": "combine"}
+             "degree": "degrees", "count": "counts", "unwrapped_count": "unwrapped_counts", "region_create": "region", "region_combine": "combine",
+             "surface_intersections": "meet"}
 #: What is no function of its own: handles, lists and structs.
 INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_write_options_init", "nurbs_call_options_init", "nurbs_list_count",
           "nurbs_list_get",
@@ -36,9 +37,9 @@ def functions():
 
 def names_of(function):
     """What a function may be called here."""
-    name = re.sub("^nurbs_(statistics_|face_|model_|meet_|mesh_(?!curve|surface|face$|model$|volume$))?", "",
+    name = re.sub("^nurbs_(statistics_|face_|model_|meet_|mesh_(?!curve|surface|(face|model)(_levels)?$|volume$))?", "",
                   function.removesuffix("_with"))
-    name = re.sub("^mesh_(?!curve|volume).*", "mesh", name).replace("read_model", "read")
+    name = re.sub(r"^mesh_(?!curve|volume)\w*?(_levels)?$", r"mesh\1", name).replace("read_model", "read")
     short = re.sub(r"^(curve|surface|volume)_(?!eval)", "", name)
     return {NAMESAKES.get(name, name), short, name.replace("_eval", ""), re.sub("^volume_(coons)", r"\1_volume", name),
             re.sub("^create_", "", name)}

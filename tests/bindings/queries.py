@@ -300,7 +300,7 @@ class Sections(unittest.TestCase):
         near(meet.branch(0).space.length().value, 2, by=1e-8)
 
     def test_of_two_surfaces(self):
-        meet = nurbs.sphere(2).surface_intersections(nurbs.plane([5, 0, 0], [0, 5, 0], [-1, -1, 1]), 1e-6, work=10**9)
+        meet = nurbs.sphere(2).meet(nurbs.plane([5, 0, 0], [0, 5, 0], [-1, -1, 1]), 1e-6, work=10**9)
         self.assertEqual((meet.counts, meet.ways.closed.tolist()), ((2, 4, True), [0]))
         (space, on_ball), on_plane = meet.branch(0), meet.branch_second(0)
         near(on_plane(on_plane.domain[0]), (space(space.domain[0])[:, :2] + 1) / 5)

@@ -99,7 +99,9 @@ class LayerCall:
         short = self.step.method.entry.name.removeprefix("nurbs_")
         methods = [method for language in ("cpp", "rust") for method in self.step.method.entry.methods.get(language, ())]
         names = [*(method.name for method in methods), short, re.sub("^(curve|surface|create|list)_", "", short),
-                 re.sub("^mesh_(surface|face|model)$", "mesh", short)]
+                 re.sub("^mesh_(surface|face|model)(_levels)?$", r"mesh\2", short)]
+        if short == "surface_intersections":  # of a curve with a surface
+            names = ["meet"]
         if short == "mesh_triangles" and self.step.given("flags") == Number(0):
             names = ["vertex_triangles"]
         handles = [value for value in self.values.values() if value.kind in OWNERS and not value.is_output]

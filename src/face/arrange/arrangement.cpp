@@ -47,6 +47,9 @@ void check_open(const Covering &covering) {
         if (covering.closed(k)) {
             fail(Status::incompatible, "the surface closes up along axis %d", k);
         }
+        if (covering.collapsed(k, 0) || covering.collapsed(k, 1)) {
+            fail(Status::incompatible, "an end of axis %d of the surface is a point", k);
+        }
     }
 }
 

@@ -346,12 +346,21 @@ MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const Sp
         return {std::move(exact), 0, true};
     }
     const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);
-    Effort effort;
-    effort.allow(*curve);
-    const FittedCurve fitted =
-        fit_curve(Image(*surface, covering, *curve), breaks_over_kinks(*surface, covering, curve), same,
-                  share_of_fit * tolerance, effort);
-    return {fitted.spline, fitted.error, false};
+    const auto with_breaks = [&](const std::vector<double> &breaks) {
+        Effort effort;
+        effort.allow(*curve);
+        const FittedCurve fitted =
+            fit_curve(Image(*surface, covering, *curve), breaks, same, share_of_fit * tolerance, effort);
+        return MadeCurve{fitted.spline, fitted.error, false};
+    };
+    try {
+        return with_breaks(breaks_of(*curve));
+    } catch (const Error &error) { // places that lie close at a kink
+        if (error.status() != Status::not_converged) {
+            throw;
+        }
+    }
+    return with_breaks(breaks_over_kinks(*surface, covering, curve));
 }
 
 } // namespace nrb::face

@@ -47,7 +47,7 @@ public:
             }
             knots_.insert(knots_.end(), last ? 4 : corner ? 3 : 2, t);
         }
-        curve.deviation = frame_.unscaled(curve.deviation);
+        curve.deviation = frame_.unscaled(curve.deviation) + rounding();
         const Spline::Axes axes{make_knot_vector(3, knots_)};
         curve.space = make_result(axes, 3, Form::polynomial, std::move(space_));
         for (size_t s = 0; s < 2; ++s) {
@@ -57,6 +57,14 @@ public:
     }
 
 private:
+    // Of control points as they are stored, which are no larger than the centre and the size of both surfaces.
+    [[nodiscard]] double rounding() const noexcept {
+        double largest = frame_.unscaled(2);
+        for (const double x : frame_.centre) {
+            largest = std::max(largest, std::abs(x) + frame_.unscaled(2));
+        }
+        return 8 * eps * largest;
+    }
     // Where curves of a chain go on across the seam of a periodic axis, they are moved by periods; what runs along a border
     // stays in the domain. Ends are where the next segment begins.
     void unwrap() {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace nrb::mesh {
 
@@ -57,8 +58,8 @@ double CellTree::Builder::build() {
         block_ = static_cast<int32_t>(i);
         add_block({i / across, i % across});
     }
-    tree_.cells_.shrink_to_fit();
-    tree_.nodes_.shrink_to_fit();
+    tree_.cells_ = std::vector(std::as_const(tree_.cells_)); // without room for more
+    tree_.nodes_ = std::vector(std::as_const(tree_.nodes_));
     sort_lines();
     const auto &u = tree_.block_ends_[0], &v = tree_.block_ends_[1];
     return left_ > 0 ? std::max(0.0, 1 - left_ / ((u.back() - u.front()) * (v.back() - v.front()))) : 1;

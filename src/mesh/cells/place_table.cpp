@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace nrb::mesh {
 
@@ -43,7 +44,7 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(tw
     }
     std::ranges::sort(keys_);
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
-    keys_.shrink_to_fit();
+    keys_ = std::vector(std::as_const(keys_)); // without room for more
     index(tree);
 }
 

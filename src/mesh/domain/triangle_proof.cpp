@@ -32,9 +32,10 @@ Rectangle in_block(const Rectangle &part, const Rectangle &block) noexcept {
     return result;
 }
 
+constexpr double room = 1e-6;
+
 // Whether a part reaches beyond a line at which the surface may have a kink.
 bool leaves(const Rectangle &part, const Rectangle &block) noexcept {
-    constexpr double room = 1e-6;
     bool result = false;
     for (size_t k = 0; k < 2; ++k) {
         result = result || part.lower[k] < block.lower[k] - room * block.side(k) ||
@@ -121,6 +122,43 @@ ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle, Effort effor
     return {bound, place.moved};
 }
 
+// Along an axis, what a part has beyond an end of a block: in the next one, or behind the seam; empty if there is nothing.
+Interval TriangleProof::beyond(const Rectangle &part, const Rectangle &block, size_t k, bool above) const {
+    const auto &ends = cells_.tree().block_ends(k);
+    const double end = above ? block.upper[k] : block.lower[k], domain = ends.back() - ends.front();
+    const bool last = end == (above ? ends.back() : ends.front());
+    if (!(above ? part.upper[k] > end : part.lower[k] < end) || (last && !domain_.closed[k])) {
+        return {0, 0};
+    }
+    const double moved = last ? (above ? -domain : domain) : 0;
+    return above ? Interval{end + moved, std::min(part.upper[k] + moved, ends.back())}
+                 : Interval{std::max(part.lower[k] + moved, ends.front()), end + moved};
+}
+
+// Curves beside their segments in other blocks, which have first derivatives of their own.
+double TriangleProof::moves_beyond(const SiteTriangle &triangle, const Rectangle &part,
+                                   const Rectangle &block) {
+    double moves = 0;
+    for (size_t k = 0; k < 2; ++k) {
+        for (const bool above : {false, true}) {
+            const Interval other = beyond(part, block, k, above);
+            if (!(other.lower < other.upper)) {
+                continue;
+            }
+            Rectangle own = in_block(part, block);
+            own.lower[k] = other.lower;
+            own.upper[k] = other.upper;
+            const int32_t number = cells_.tree().block_at(
+                {(own.lower[0] + own.upper[0]) / 2, (own.lower[1] + own.upper[1]) / 2});
+            own = in_block(own, cells_.tree().block(number));
+            const PieceRange pieces = nets_.pieces_in(own);
+            moves +=
+                pieces.count() <= most_pieces ? moves_over(triangle, nets_.box(own, pieces), own) : infinity;
+        }
+    }
+    return moves;
+}
+
 // By as much as curves are beside their segments.
 void TriangleProof::widen(const SiteTriangle &triangle, Rectangle &part) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
@@ -145,6 +183,7 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     const Rectangle block = cells_.tree().block(number);
     ProvenTriangle result{{}, leaves(place.part, block) ? infinity : place.moved};
     widen(triangle, place.part);
+    result.over += moves_beyond(triangle, place.part, block);
     place.part = in_block(place.part, block);
     const PieceRange pieces = nets_.pieces_in(place.part);
     if (pieces.count() > most_pieces) {

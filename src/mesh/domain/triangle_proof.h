@@ -55,6 +55,9 @@ private:
                                            double &over) const;
     [[nodiscard]] double moves_over(const SiteTriangle &triangle, const HessianBox &box,
                                     const Rectangle &cell) const;
+    [[nodiscard]] Interval beyond(const Rectangle &part, const Rectangle &block, size_t k, bool above) const;
+    [[nodiscard]] double moves_beyond(const SiteTriangle &triangle, const Rectangle &part,
+                                      const Rectangle &block);
     void widen(const SiteTriangle &triangle, Rectangle &part) const noexcept;
 
     const MeshDomain &domain_;

@@ -2,155 +2,21 @@
 #include "mesh/proof/hessian_box.h"
 
 #include "base/scratch.h"
+#include "mesh/proof/coefficient_net.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace nrb::mesh {
 
 namespace {
 
-constexpr size_t width = HessianBox::coordinates;
-using Ranges = HessianBox::Ranges;
-
-// The four coordinates in two registers of every processor.
-using Pair = double __attribute__((vector_size(16)));
-struct Four {
-    Pair low, high;
-
-    explicit Four(double x = 0) noexcept : low{x, x}, high{x, x} {}
-    Four(const Pair &a, const Pair &b) noexcept : low(a), high(b) {}
-    Four(double a, double b, double c, double d) noexcept : low{a, b}, high{c, d} {}
-    explicit Four(const std::array<double, width> &row) noexcept : Four(row.data()) {}
-    explicit Four(const double *x) noexcept {
-        std::memcpy(&low, x, sizeof low);
-        std::memcpy(&high, x + 2, sizeof high);
-    }
-    void store(double *x) const noexcept {
-        std::memcpy(x, &low, sizeof low);
-        std::memcpy(x + 2, &high, sizeof high);
-    }
-    [[nodiscard]] double operator[](size_t k) const noexcept { return k < 2 ? low[k] : high[k - 2]; }
-    [[nodiscard]] Four operator+(const Four &other) const noexcept {
-        return {low + other.low, high + other.high};
-    }
-    [[nodiscard]] Four operator-(const Four &other) const noexcept {
-        return {low - other.low, high - other.high};
-    }
-    [[nodiscard]] Four operator*(double x) const noexcept { return {low * x, high * x}; }
-    [[nodiscard]] Four operator*(const Four &other) const noexcept {
-        return {low * other.low, high * other.high};
-    }
-    [[nodiscard]] double sum() const noexcept {
-        const Pair both = low + high;
-        return both[0] + both[1];
-    }
-};
-
-Four least(const Four &a, const Four &b) noexcept {
-    return {a.low < b.low ? a.low : b.low, a.high < b.high ? a.high : b.high};
-}
-
-Four greatest(const Four &a, const Four &b) noexcept {
-    return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
-}
-
-// Without the bits of the signs.
-Four abs(const Four &a) noexcept {
-    using Bits = int64_t __attribute__((vector_size(16)));
-    constexpr Bits rest{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
-    return {reinterpret_cast<Pair>(reinterpret_cast<Bits>(a.low) & rest),
-            reinterpret_cast<Pair>(reinterpret_cast<Bits>(a.high) & rest)};
-}
-
-// As of a Range, of all coordinates.
-Four most(const Ranges &ranges) noexcept {
-    return abs(Four(ranges.middle)) + (abs(Four(ranges.u)) + abs(Four(ranges.v))) * 0.5 + Four(ranges.radius);
-}
-
-double length3(const Four &a) noexcept {
-    return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
-
-// Bernstein coefficients [u][v], of a function or of a derivative.
-struct Net {
-    int u, v;
-    double *rows;
-
-    [[nodiscard]] double *row(int i, int j) const noexcept {
-        return rows + static_cast<size_t>(i * v + j) * width;
-    }
-    [[nodiscard]] Four at(int i, int j) const noexcept { return Four(row(i, j)); }
-    void set(int i, int j, const Four &x) const noexcept { x.store(row(i, j)); }
-};
-
-// Times a factor, with an error of each coefficient before. The plane is that through the means of the corners; a plane has the
-// coefficients of its values at the places of control points, so that what coefficients differ from it bounds what the function does.
-Ranges ranges_of(const Net &net, double factor, double error, bool planes) noexcept {
-    Ranges result{};
-    if (net.u <= 0 || net.v <= 0 || factor == 0) {
-        return result;
-    }
-    Four u, v, low(infinity), high(-infinity);
-    if (planes) {
-        const Four a = net.at(0, 0), b = net.at(net.u - 1, 0), c = net.at(net.u - 1, net.v - 1),
-                   d = net.at(0, net.v - 1);
-        u = ((b - a) + (c - d)) * 0.5;
-        v = ((d - a) + (c - b)) * 0.5;
-    }
-    const double u_step = net.u > 1 ? 1.0 / (net.u - 1) : 0, v_step = net.v > 1 ? 1.0 / (net.v - 1) : 0;
-    for (int i = 0; i < net.u; ++i) {
-        const Four along = u * (net.u > 1 ? i * u_step - 0.5 : 0);
-        for (int j = 0; j < net.v; ++j) {
-            const Four rest = net.at(i, j) - (along + v * (net.v > 1 ? j * v_step - 0.5 : 0));
-            low = least(low, rest);
-            high = greatest(high, rest);
-        }
-    }
-    const Four size = greatest(abs(low), abs(high)) + abs(u) + abs(v);
-    ((low + high) * (factor / 2)).store(result.middle.data());
-    (u * factor).store(result.u.data());
-    (v * factor).store(result.v.data());
-    (((high - low) * 0.5 + Four(error) + size * (8 * eps)) * std::abs(factor)).store(result.radius.data());
-    return result;
-}
+using Ranges = CoordinateRanges;
 
 // The products of a coefficient row with the axes, about the origin.
 Four in_axes(const double *row, const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept {
     const double w = row[3];
     const Vector3 a{row[0] - w * origin.x, row[1] - w * origin.y, row[2] - w * origin.z};
     return {dot(axes[0], a), dot(axes[1], a), dot(axes[2], a), w};
-}
-
-// Differences of second order, along u, along v or along both.
-void differences_uu(const Net &net, Net &out) noexcept {
-    out.u = net.u - 2;
-    out.v = net.v;
-    for (int i = 0; i < out.u; ++i) {
-        for (int j = 0; j < out.v; ++j) {
-            out.set(i, j, (net.at(i + 2, j) - net.at(i + 1, j)) - (net.at(i + 1, j) - net.at(i, j)));
-        }
-    }
-}
-
-void differences_uv(const Net &net, Net &out) noexcept {
-    out.u = net.u - 1;
-    out.v = net.v - 1;
-    for (int i = 0; i < out.u; ++i) {
-        for (int j = 0; j < out.v; ++j) {
-            out.set(i, j, (net.at(i + 1, j + 1) - net.at(i, j + 1)) - (net.at(i + 1, j) - net.at(i, j)));
-        }
-    }
-}
-
-void differences_vv(const Net &net, Net &out) noexcept {
-    out.u = net.u;
-    out.v = net.v - 2;
-    for (int i = 0; i < out.u; ++i) {
-        for (int j = 0; j < out.v; ++j) {
-            out.set(i, j, (net.at(i, j + 2) - net.at(i, j + 1)) - (net.at(i, j + 1) - net.at(i, j)));
-        }
-    }
 }
 
 Range constant(const Range &range) noexcept {
@@ -164,7 +30,7 @@ void add_constant(const Range &other, Range &range) noexcept {
 }
 
 void add_constants(const Ranges &others, Ranges &ranges) noexcept {
-    for (size_t c = 0; c < width; ++c) {
+    for (size_t c = 0; c < HessianBox::coordinates; ++c) {
         Range range = ranges[c];
         add_constant(others[c], range);
         ranges.set(c, range);
@@ -196,7 +62,7 @@ HessianBox::HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes
     : origin_(origin), axes_(axes) {
     const Four a = in_axes(corners[0], origin, axes), b = in_axes(corners[1], origin, axes),
                c = in_axes(corners[2], origin, axes), d = in_axes(corners[3], origin, axes);
-    for (size_t k = 0; k < width; ++k) {
+    for (size_t k = 0; k < coordinates; ++k) {
         first_[0][k] = ((b[k] - a[k]) + (c[k] - d[k])) / 2;
         first_[1][k] = ((d[k] - a[k]) + (c[k] - b[k])) / 2;
     }
@@ -211,10 +77,10 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
                      double noise) {
     const bool whole = factors[0] == 1 && factors[1] == 1, fresh = largest_weight_ < least_weight_;
     const int m = u_degree + 1, n = v_degree + 1;
-    const auto size = static_cast<size_t>(m * n) * width;
+    const auto size = static_cast<size_t>(m * n) * coordinates;
     Scratch scratch(2 * size);
-    Net rows{m, n, scratch.take(size)}, second{0, 0, scratch.take(size)};
-    for (size_t i = 0; i < size; i += width, net += width) {
+    CoefficientNet rows{m, n, scratch.take(size)}, second{0, 0, scratch.take(size)};
+    for (size_t i = 0; i < size; i += coordinates, net += coordinates) {
         in_axes(net, origin_, axes_).store(rows.rows + i);
         least_weight_ = std::min(least_weight_, net[3]);
         largest_weight_ = std::max(largest_weight_, net[3]);
@@ -222,11 +88,11 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
     const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1];
     noise_ = std::max(noise_, noise * largest_weight_);
     const double error = 4 * noise_;
-    differences_uu(rows, second);
+    second_differences(rows, 0, 0, second);
     const Ranges uu = ranges_of(second, p * (p - 1) * fu * fu, error, whole);
-    differences_uv(rows, second);
+    second_differences(rows, 0, 1, second);
     const Ranges uv = ranges_of(second, p * q * fu * fv, error, whole);
-    differences_vv(rows, second);
+    second_differences(rows, 1, 1, second);
     const Ranges vv = ranges_of(second, q * (q - 1) * fv * fv, error, whole);
     if (fresh) {
         uu_ = uu;
@@ -253,22 +119,28 @@ bool HessianBox::is_coarse() const noexcept {
     return second > 0.1 * first;
 }
 
-template <class Net>
-void HessianBox::add_first(const Net &net, const std::array<double, 2> &factors) noexcept {
-    for (int i = 0; i < net.u; ++i) {
-        for (int j = 0; j < net.v; ++j) {
-            const Four own = net.at(i, j);
-            coefficient_reach_ = std::max(coefficient_reach_, length3(own) + 4 * noise_);
-            for (const size_t k : {size_t{0}, size_t{1}}) {
-                if ((k == 0 ? i + 1 < net.u : j + 1 < net.v)) {
-                    const Four next = k == 0 ? net.at(i + 1, j) : net.at(i, j + 1);
-                    const Four first = (next - own) * factors[k];
-                    const double noise = 4 * noise_ * factors[k];
-                    first_radius_[k] = std::max(first_radius_[k], length3(first - Four(first_[k])) + noise);
-                    first_weight_[k] = std::max(first_weight_[k], std::abs(first[3]) + noise);
-                }
+void HessianBox::add_first(const CoefficientNet &net, const std::array<double, 2> &factors) noexcept {
+    double reach = 0; // squares
+    for (int i = 0; i < net.u * net.v; ++i) {
+        reach = std::max(reach, square3(Four(net.rows + 4 * i)));
+    }
+    coefficient_reach_ = std::max(coefficient_reach_, std::sqrt(reach) * (1 + 4 * eps) + 4 * noise_);
+    for (const size_t k : {size_t{0}, size_t{1}}) {
+        const Four mean(first_[k]);
+        const int step = net.step(static_cast<int>(k)), u = net.u - (k == 0 ? 1 : 0),
+                  v = net.v - (k == 0 ? 0 : 1);
+        double radius = 0, weight = 0;
+        for (int i = 0; i < u; ++i) {
+            for (int j = 0; j < v; ++j) {
+                const double *x = net.row(i, j);
+                const Four first = (Four(x + step) - Four(x)) * factors[k];
+                radius = std::max(radius, square3(first - mean));
+                weight = std::max(weight, std::abs(first[3]));
             }
         }
+        const double noise = 4 * noise_ * factors[k];
+        first_radius_[k] = std::max(first_radius_[k], std::sqrt(radius) * (1 + 4 * eps) + noise);
+        first_weight_[k] = std::max(first_weight_[k], weight + noise);
     }
 }
 

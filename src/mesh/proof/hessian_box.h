@@ -44,6 +44,21 @@ struct Hessian {
     [[nodiscard]] Hessian in_units(double u, double v) const noexcept;
 };
 
+// Of the four coordinates of homogeneous points, side by side for registers that hold several.
+struct CoordinateRanges {
+    std::array<double, 4> middle{}, u{}, v{}, radius{};
+
+    [[nodiscard]] Range operator[](size_t c) const noexcept { return {middle[c], u[c], v[c], radius[c]}; }
+    void set(size_t c, const Range &range) noexcept {
+        middle[c] = range.middle;
+        u[c] = range.u;
+        v[c] = range.v;
+        radius[c] = range.radius;
+    }
+};
+
+struct CoefficientNet;
+
 // The homogeneous coordinates (A - w O, w) of a surface A / w about an origin O, in axes of the cell, along which they differ most in size:
 // the middle of the cell is nearly plane, and lies across the last one. Parameters are measured by the sides of the cell.
 class HessianBox {
@@ -83,19 +98,6 @@ public:
     // Of coordinate c in the axes of the cell, about its origin.
     [[nodiscard]] Hessian of(size_t c) const noexcept { return {uu_[c], uv_[c], vv_[c]}; }
 
-    // Of all coordinates, side by side for registers that hold several.
-    struct Ranges {
-        std::array<double, coordinates> middle{}, u{}, v{}, radius{};
-
-        [[nodiscard]] Range operator[](size_t c) const noexcept { return {middle[c], u[c], v[c], radius[c]}; }
-        void set(size_t c, const Range &range) noexcept {
-            middle[c] = range.middle;
-            u[c] = range.u;
-            v[c] = range.v;
-            radius[c] = range.radius;
-        }
-    };
-
 private:
     // Of first derivatives: the middle of A' and what there is about it, and the most of w'.
     struct First {
@@ -104,14 +106,13 @@ private:
     };
     [[nodiscard]] First first(size_t k) const noexcept;
     [[nodiscard]] bool is_coarse() const noexcept;
-    template <class Net>
-    void add_first(const Net &net, const std::array<double, 2> &factors) noexcept;
+    void add_first(const CoefficientNet &net, const std::array<double, 2> &factors) noexcept;
     // The most of |A - w O|.
     [[nodiscard]] double reach() const noexcept;
 
     Vector3 origin_;
     std::array<Vector3, 3> axes_{};
-    Ranges uu_{}, uv_{}, vv_{};
+    CoordinateRanges uu_{}, uv_{}, vv_{};
     double least_weight_ = infinity, largest_weight_ = -infinity;
     std::array<std::array<double, coordinates>, 2> first_{}; // means of first derivatives, by the corners
     double corner_weight_ = 1;                               // the mean

@@ -200,8 +200,8 @@ class Intersections(SplineBase):
         return Meet._made(watched(lib.nurbs_surface_level_curves, progress, work), self._handle, handle_of(scalar),
                           levels.size, levels.ctypes.data, tolerance)
 
-    def surface_intersections(self, other: SplineBase, tolerance: float, *, progress: Progress = None,
-                              work: Optional[int] = None) -> Meet:
+    def meet(self, other: SplineBase, tolerance: float, *, progress: Progress = None,
+             work: Optional[int] = None) -> Meet:
         """Where two surfaces meet in curves, with proof that there are no others: Meet.branch() has curves in the domain of
         this one, Meet.branch_second() in that of the other one."""
         from ._meets import Meet

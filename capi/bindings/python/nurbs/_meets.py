@@ -97,7 +97,7 @@ class MeetJoints(NamedTuple):
 
 class Meet:
     """Where a surface meets planes or another surface, or a model planes: curves, and the nodes where they end, as
-    Spline.sections(), Spline.surface_intersections() and Model.sections() find them.
+    Spline.sections(), Spline.meet() and Model.sections() find them.
 
         meet = surface.sections([0, 0, 1], [0.25, 0.5], 1e-6)
         for i, level in enumerate(meet.branches.levels):

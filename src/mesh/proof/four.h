@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Four numbers in two registers of every processor: the coordinates of a homogeneous point.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace nrb::mesh {
+
+using Pair = double __attribute__((vector_size(16)));
+struct Four {
+    Pair low, high;
+
+    explicit Four(double x = 0) noexcept : low{x, x}, high{x, x} {}
+    Four(const Pair &a, const Pair &b) noexcept : low(a), high(b) {}
+    Four(double a, double b, double c, double d) noexcept : low{a, b}, high{c, d} {}
+    explicit Four(const std::array<double, 4> &row) noexcept : Four(row.data()) {}
+    explicit Four(const double *x) noexcept {
+        std::memcpy(&low, x, sizeof low);
+        std::memcpy(&high, x + 2, sizeof high);
+    }
+    void store(double *x) const noexcept {
+        std::memcpy(x, &low, sizeof low);
+        std::memcpy(x + 2, &high, sizeof high);
+    }
+    [[nodiscard]] double operator[](size_t k) const noexcept { return k < 2 ? low[k] : high[k - 2]; }
+    [[nodiscard]] Four operator+(const Four &other) const noexcept {
+        return {low + other.low, high + other.high};
+    }
+    [[nodiscard]] Four operator-(const Four &other) const noexcept {
+        return {low - other.low, high - other.high};
+    }
+    [[nodiscard]] Four operator*(double x) const noexcept { return {low * x, high * x}; }
+    [[nodiscard]] Four operator*(const Four &other) const noexcept {
+        return {low * other.low, high * other.high};
+    }
+    [[nodiscard]] double sum() const noexcept {
+        const Pair both = low + high;
+        return both[0] + both[1];
+    }
+};
+
+inline Four least(const Four &a, const Four &b) noexcept {
+    return {a.low < b.low ? a.low : b.low, a.high < b.high ? a.high : b.high};
+}
+
+inline Four greatest(const Four &a, const Four &b) noexcept {
+    return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+}
+
+// Without the bits of the signs.
+inline Four abs(const Four &a) noexcept {
+    using Bits = int64_t __attribute__((vector_size(16)));
+    constexpr Bits rest{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
+    return {reinterpret_cast<Pair>(reinterpret_cast<Bits>(a.low) & rest),
+            reinterpret_cast<Pair>(reinterpret_cast<Bits>(a.high) & rest)};
+}
+
+// Of the length of the first three.
+inline double square3(const Four &a) noexcept {
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+}
+
+} // namespace nrb::mesh
