@@ -197,6 +197,43 @@ TEST(MeshTraps, strips_without_triangles_are_told) {
     EXPECT_GT(proven, 10U);
 }
 
+// A border along a kink, around a bump on the other side of it: what is beside a segment in another block has first derivatives of its own.
+TEST(MeshTraps, bumps_beside_a_kink_are_seen) {
+    const int32_t degrees[] = {2, 8}, straight = 1, round = 2;
+    const int64_t counts[] = {5, 9}, three = 3;
+    const double knots[] = {0, 0, 0, 0.5, 0.5, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    Vec points;
+    for (int i = 0; i < 5; ++i) {
+        for (int j = 0; j < 9; ++j) {
+            const double high = j != 4 ? 0 : i == 0 ? -1316.6 : i == 1 ? 73.14 : 0;
+            points.insert(points.end(), {i / 4.0, j / 8.0, high});
+        }
+    }
+    const Handle g = made([&](nurbs **out) {
+        return nurbs_create(2, degrees, counts, knots, 26, 3, points.data(), 0, 0, nullptr, 0, 0, out);
+    });
+    const double along[] = {0, 0, 1, 2, 2}, back[] = {0, 0, 0, 1, 1, 1}, a[] = {0.5, 0, 1, 0.5, 0.5, 1},
+                 b[] = {0.5, 1, 0.4, 0.5, 0.5, 0};
+    const Handle first = made([&](nurbs **out) {
+        return nurbs_create(1, &straight, &three, along, 5, 2, a, 0, 0, nullptr, 0, 0, out);
+    });
+    const Handle second = made([&](nurbs **out) {
+        return nurbs_create(1, &round, &three, back, 6, 2, b, 0, 0, nullptr, 0, 0, out);
+    });
+    const int64_t size = 2;
+    const nurbs *const curves[] = {first.get(), second.get()};
+    nurbs_face *face = nullptr;
+    require_ok(nurbs_face_create(g.get(), 1, &size, curves, nullptr, nullptr, 1e-9, 0, nullptr, &face));
+    const Face own(face);
+    const double top[] = {0.475, 0.5};
+    Point x{};
+    require_ok(nurbs_eval(g.get(), 1, top, 0, 0, x.data(), 0, 0, 0));
+    for (const double chord : {2.0, 0.9, 0.5, 0.35}) {
+        const Mesh mesh = mesh_of(face, chord);
+        EXPECT_LE(distance(mesh, x), mesh.from_shape * (1 + 1e-12)) << chord;
+    }
+}
+
 // build123d#1444 is a mesh that is coarser than asked for; where work ends that cannot be helped, but it is told, and equally fine all over.
 TEST(MeshTraps, work_that_ends_makes_all_of_a_mesh_coarser) {
     Random random(7);
