@@ -393,7 +393,7 @@ TEST(Sewing, MeshesOfPiecesOfASphereAreClosed) {
         const Model model = sewn(faces_of(placed(patches, placing)), 1e-9 * placing.size);
         expect_closed(model.get(), chord * placing.size, 2);
     };
-    for (const uint64_t seed : {1285, 4585, 4670, 5788, 7634}) {
+    for (const uint64_t seed : {1285U, 4585U, 4670U, 5788U, 7634U}) {
         for_each_case(seed, 1, expect_sphere);
     }
 }
