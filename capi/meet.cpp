@@ -55,8 +55,8 @@ const intersect::MeetBranch &branch_at(const intersect::Meet &meet, int64_t inde
 }
 
 // Node i is at a place of a surface.
-void put_place(const std::array<double, 2> &at, const std::array<Interval, 2> &range, size_t i, double *params,
-               double *ranges) {
+void put_place(const std::array<double, 2> &at, const std::array<Interval, 2> &range, size_t i,
+               double *params, double *ranges) {
     for (size_t k = 0; k < 2; ++k) {
         put(params, 2 * i + k, at[k]);
         put(ranges, 4 * i + 2 * k, range[k].lower);

@@ -107,9 +107,16 @@ mesh::MeshRule rule_of_levels(const nurbs_mesh_options *options, std::span<const
     return rule;
 }
 
+// More are a mistake.
+constexpr int64_t most_levels = 4096;
+
 // Of an array: all NULL.
 void require_outs(int64_t count, nurbs_mesh **out) {
     check_length(count, "count");
+    if (count > most_levels) {
+        fail(Status::count, "count = %lld, expected at most %lld", static_cast<long long>(count),
+             static_cast<long long>(most_levels));
+    }
     if (count > 0) {
         require(out, "out");
         std::fill_n(out, count, nullptr);
@@ -134,7 +141,7 @@ void give_levels(const Shape &shape, int64_t points, std::span<const double> cho
 // Without meshes after wrong wishes, too.
 template <class Body>
 nurbs_status watched_levels(int64_t count, nurbs_mesh **out, const nurbs_call_options *call, Body &&body) {
-    if (out != nullptr && count > 0) {
+    if (out != nullptr && count > 0 && count <= most_levels) {
         std::fill_n(out, count, nullptr);
     }
     return watched(call, body);

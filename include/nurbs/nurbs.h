@@ -8576,11 +8576,11 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
  * about as long as as many calls. Halving the distance doubles the number of triangles: four such meshes take twice
  * as long as the finest one.
  * \param[in] g a surface of dimension 2 or 3.
- * \param[in] count number of distances, >= 0.
+ * \param[in] count number of distances, 0 to 4096.
  * \param[in] chords [count], in any order: the largest distances, each > 0; infinite for no limit, if there is another one.
  * \param[in] options or NULL for the defaults: all other limits. `chord` and `relative_chord` are not looked at.
  * \param[out] out [count]: the new meshes, in the order of chords.
- * \return as for nurbs_mesh_surface(), and NURBS_ERROR_COUNT if count is < 0.
+ * \return as for nurbs_mesh_surface(), and NURBS_ERROR_COUNT if count is < 0 or > 4096.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface_levels(const nurbs *g, int64_t count, const double *chords,
                                                  const nurbs_mesh_options *options, nurbs_mesh **out);
@@ -8600,7 +8600,7 @@ NURBS_API nurbs_status nurbs_mesh_surface_levels_with(const nurbs *g, int64_t co
  * \param[in] face a face of a surface of dimension 2 or 3.
  * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
  * \param[out] out [count]: the new meshes, in the order of chords.
- * \return as for nurbs_mesh_face(), and NURBS_ERROR_COUNT if count is < 0.
+ * \return as for nurbs_mesh_face(), and NURBS_ERROR_COUNT if count is < 0 or > 4096.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_face_levels(const nurbs_face *face, int64_t count, const double *chords,
                                               const nurbs_mesh_options *options, nurbs_mesh **out);
@@ -8621,7 +8621,7 @@ NURBS_API nurbs_status nurbs_mesh_face_levels_with(const nurbs_face *face, int64
  * \param[in] model a model.
  * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
  * \param[out] out [count]: the new meshes, in the order of chords.
- * \return as for nurbs_mesh_model(), and NURBS_ERROR_COUNT if count is < 0.
+ * \return as for nurbs_mesh_model(), and NURBS_ERROR_COUNT if count is < 0 or > 4096.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_model_levels(const nurbs_model *model, int64_t count, const double *chords,
                                                const nurbs_mesh_options *options, nurbs_mesh **out);

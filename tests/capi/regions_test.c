@@ -202,7 +202,18 @@ static void surfaces_that_close_up(void) {
     nurbs_destroy(curve);
 }
 
+static void watched_calls(void) {
+    nurbs_call_options call;
+    nurbs_model *out = NULL;
+    CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    call.work = -1;
+    CHECK_FAILS(nurbs_region_create_with(0, NULL, 1, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
+    CHECK_FAILS(nurbs_region_combine_with(1, 0, NULL, 0, NULL, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
+    CHECK_FAILS(nurbs_face_split_with(NULL, 0, NULL, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
+}
+
 int main(void) {
+    watched_calls();
     rules_of_filling();
     loops_of_curves();
     borders_in_common();
