@@ -21,10 +21,6 @@ def exported(version_script):
 def called(folders):
     files = [file for folder in folders for file in sorted(pathlib.Path(folder).glob("*"))]
     names = {name for file in files for name in CALL.findall(file.read_text(errors="replace"))}
-    # Levels of other shapes are those of surfaces, by the same code in each language.
-    shapes = [name for name in names if "_surface_levels" in name]
-    names |= {name.replace("surface", shape) for name in shapes for shape in ("face", "model")}
-    names |= {f"{name}_with" for name in names if name.endswith("_levels")}
     return names | {name.removesuffix("_with") for name in names}  # the same function, which may be watched
 
 

@@ -70,6 +70,16 @@ static void written(const Model &model) {
     EXPECT(status_of([&] { model.write_file("/no/such/file", format_step); }) == Status::file);
 }
 
+// Of all shapes, for two distances.
+static void levels(const Model &model) {
+    const Face wall = ModelFace(model.face(0)).face;
+    const std::vector<Mesh> all = mesh_levels(model, {1e-1, 1e-2}), same = mesh_levels(model, {1e-2}, {}, {}),
+                            one = mesh_levels(wall, {1e-1}), again = mesh_levels(wall, {1e-1}, {}, {}),
+                            whole = mesh_levels(wall.surface(), {1e-1}, {}, {});
+    EXPECT(all.size() == 2 && same[0].counts().triangles == all[1].counts().triangles);
+    EXPECT(one[0].counts().triangles == again[0].counts().triangles && whole.size() == 1);
+}
+
 // Its triangles as files.
 static void triangles(const Model &model) {
     const Mesh mesh = Mesh::of_model(model);
@@ -136,6 +146,7 @@ int main(int count, char **arguments) {
         copies(model);
         sewn(model);
         written(model);
+        levels(model);
         triangles(model);
         bytes(model);
         rays(model);

@@ -32,6 +32,7 @@ program models
     call expect(parent == 0 .and. part == 1, 'the part in the whole')
     call sew_faces(model)
     call written()
+    call levels()
     call triangles()
     call cast_rays()
     call cut()
@@ -112,6 +113,27 @@ contains
         call model%write_file('/no/such/file', NURBS_FORMAT_STEP, status=code)
         call expect(code == NURBS_ERROR_FILE, 'no such folder')
     end subroutine written
+
+    !> Of all shapes, for two distances.
+    subroutine levels()
+        type(nurbs_face) :: wall
+        type(nurbs_spline) :: floor
+        type(nurbs_mesh), allocatable :: all(:), same(:), one(:), again(:)
+        integer(c_int64_t) :: triangles(4)
+        call model%face(1, wall)
+        call wall%surface(floor)
+        call mesh_levels(model, [1d-1, 1d-2], all)
+        call mesh_levels(model, [1d-2], same, call=nurbs_call())
+        call mesh_levels(wall, [1d-1], one)
+        call mesh_levels(wall, [1d-1], again, call=nurbs_call())
+        call all(2)%counts(triangles=triangles(1))
+        call same(1)%counts(triangles=triangles(2))
+        call one(1)%counts(triangles=triangles(3))
+        call again(1)%counts(triangles=triangles(4))
+        call expect(triangles(1) == triangles(2) .and. triangles(3) == triangles(4), 'levels of faces and models')
+        call mesh_levels(floor, [1d-1], one, call=nurbs_call())
+        call expect(size(one) == 1, 'levels of a surface, watched')
+    end subroutine levels
 
     !> Its triangles as files.
     subroutine triangles()

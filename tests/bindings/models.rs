@@ -59,6 +59,13 @@ fn written(model: &Model) -> Result<()> {
 
 /// Its triangles as files.
 fn triangles(model: &Model) -> Result<()> {
+    let (wall, mut call) = (model.face(0)?.face, Call::new());
+    let (all, same) =
+        (Mesh::of_model_levels(model, &[1e-1, 1e-2], None)?, Mesh::of_model_levels_with(model, &[1e-2], None, &mut call)?);
+    assert_eq!(all[1].counts()?.triangles, same[0].counts()?.triangles);
+    let (one, again) =
+        (Mesh::of_face_levels(&wall, &[1e-1], None)?, Mesh::of_face_levels_with(&wall, &[1e-1], None, &mut call)?);
+    assert_eq!(one[0].counts()?.triangles, again[0].counts()?.triangles);
     let mesh = Mesh::of_model(model, None)?;
     let facets = mesh.counts()?.triangles as usize;
     assert_eq!(mesh.write(sys::NURBS_FORMAT_STL, None)?.len(), 84 + 50 * facets);

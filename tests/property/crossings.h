@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sections.h"
+#include "support/frames.h"
 
 namespace surface_crossings {
 
@@ -131,12 +132,6 @@ inline SplineData quadratic_graph(double a, double b, double c, double d, double
     return data;
 }
 
-inline SplineData moved(SplineData data, const Point3 &by) {
-    for (size_t i = 0; i < data.points.size(); ++i) {
-        data.points[i] += by[i % 3];
-    }
-    return data;
-}
 // The axis z becomes the axis x.
 inline SplineData turned(SplineData data) {
     for (size_t i = 0; i < data.points.size(); i += 3) {

@@ -258,13 +258,16 @@ std::vector<double> rough_lines(const Spline &surface, const Covering &covering,
 std::vector<double> breaks_over_kinks(const Spline &surface, const Covering &covering,
                                       const SplinePtr &curve) {
     std::vector<double> all = breaks_of(*curve), breaks;
+    const Interval domain = curve->axis(0).domain();
     TrimPieces pieces;
     append_monotone({{curve}}, 0, {0, 0}, pieces);
     for (const TrimPiece &piece : pieces.all()) {
-        for (const int k : {0, 1}) {
+        const bool closes = piece.range.lower == piece.range.upper; // none of the curve
+        for (int k = 0; k < 2 && !closes; ++k) {
             const auto at = static_cast<size_t>(k);
             for (const double line : rough_lines(surface, covering, k, piece.lower[at], piece.upper[at])) {
-                all.push_back(parameter_at(piece, pieces.place_of(piece, k, line)));
+                const double t = parameter_at(piece, pieces.place_of(piece, k, line));
+                all.push_back(std::clamp(t, domain.lower, domain.upper));
             }
         }
     }
@@ -346,21 +349,12 @@ MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const Sp
         return {std::move(exact), 0, true};
     }
     const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);
-    const auto with_breaks = [&](const std::vector<double> &breaks) {
-        Effort effort;
-        effort.allow(*curve);
-        const FittedCurve fitted =
-            fit_curve(Image(*surface, covering, *curve), breaks, same, share_of_fit * tolerance, effort);
-        return MadeCurve{fitted.spline, fitted.error, false};
-    };
-    try {
-        return with_breaks(breaks_of(*curve));
-    } catch (const Error &error) { // places that lie close at a kink
-        if (error.status() != Status::not_converged) {
-            throw;
-        }
-    }
-    return with_breaks(breaks_over_kinks(*surface, covering, curve));
+    Effort effort;
+    effort.allow(*curve);
+    const FittedCurve fitted =
+        fit_curve(Image(*surface, covering, *curve), breaks_over_kinks(*surface, covering, curve), same,
+                  share_of_fit * tolerance, effort);
+    return {fitted.spline, fitted.error, false};
 }
 
 } // namespace nrb::face

@@ -2,6 +2,7 @@
 #include "intersect/surfaces/cross_curve.h"
 
 #include "base/numbers.h"
+#include "intersect/smooth_joint.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -10,18 +11,6 @@
 namespace nrb::intersect {
 
 namespace {
-
-template <size_t N>
-bool is_continued(const std::array<std::array<double, N>, 4> &a, double length_a,
-                  const std::array<std::array<double, N>, 4> &b, double length_b) noexcept {
-    double apart = 0, size = 0;
-    for (size_t c = 0; c < N; ++c) {
-        const double before = (a[3][c] - a[2][c]) / length_a, after = (b[1][c] - b[0][c]) / length_b;
-        apart = std::max(apart, std::abs(before - after));
-        size = std::max({size, std::abs(before), std::abs(after)});
-    }
-    return apart <= 1e-9 * size;
-}
 
 class CrossCurveMaker {
 public:
@@ -111,9 +100,9 @@ private:
         after.deviation += moved;
     }
     static bool goes_on(const CrossSegment &a, const CrossSegment &b) noexcept {
-        return is_continued(a.on[0], a.length, b.on[0], b.length) &&
-               is_continued(a.on[1], a.length, b.on[1], b.length) &&
-               is_continued(a.space, a.length, b.space, b.length);
+        return is_smooth_joint(a.on[0], a.length, b.on[0], b.length) &&
+               is_smooth_joint(a.on[1], a.length, b.on[1], b.length) &&
+               is_smooth_joint(a.space, a.length, b.space, b.length);
     }
     void add_point(const CrossSegment &segment, size_t i) {
         for (size_t s = 0; s < 2; ++s) {

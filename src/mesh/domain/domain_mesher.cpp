@@ -196,8 +196,8 @@ void DomainMesher::prove() {
     // Other limits leave distances smaller, and where work ended they are to be as small as can be told.
     const bool by_distance =
         chord_ < infinity && longest_ == 0 && angle_ == 0 && !work_ended() && cells_.tree().coarsening() == 1;
-    proof_.set_enough(by_distance ? grid_.scaled(chord_) * (1 - 1e-6) - slack_ : 0);
-    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()));
+    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()),
+                     by_distance ? grid_.scaled(chord_) * (1 - 1e-6) - slack_ : 0);
 }
 
 Distances DomainMesher::distances(size_t triangle) const noexcept {

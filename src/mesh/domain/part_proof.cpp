@@ -105,20 +105,19 @@ std::vector<char> PartProof::stars_of(std::span<const int32_t> some) const {
     return result;
 }
 
-void PartProof::prove(std::span<const int32_t> wanted, std::vector<Distances> &out) {
+void PartProof::prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
     gather(wanted);
     bounds_.resize(triangles_.size());
     overs_.resize(triangles_.size());
     out.assign(wanted.size(), {infinity, infinity});
     std::vector<int32_t> open(wanted.size());
     std::iota(open.begin(), open.end(), 0);
-    const double enough = proof_.enough();
-    if (proof_.try_coarse()) {
+    if (enough > 0 && coarse_pays_) {
         bound(Effort::coarse, std::vector<char>(triangles_.size(), 1));
         set_overs();
         settle(open, enough, out);
         std::erase_if(open, [&](int32_t i) { return out[static_cast<size_t>(i)].most() <= enough; });
-        proof_.set_coarse_pays(2 * open.size() <= wanted.size());
+        coarse_pays_ = 2 * open.size() <= wanted.size();
     }
     if (!open.empty()) {
         bound(Effort::full, stars_of(open));

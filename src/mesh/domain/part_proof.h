@@ -20,8 +20,8 @@ public:
     PartProof(TriangleProof &proof, size_t points, std::span<const MeshTriangle> triangles,
               std::span<const int32_t> wanted, TriangleOf triangle_of);
 
-    // With what moves corners. Neighbours in space are best near each other.
-    void prove(std::span<const int32_t> wanted, std::vector<Distances> &out);
+    // With what moves corners; 0: no distance is enough. Neighbours in space are best near each other.
+    void prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out);
 
 private:
     [[nodiscard]] int32_t local_point(int32_t point);
@@ -36,6 +36,7 @@ private:
     std::span<const MeshTriangle> all_;
     PointFans fans_;
     TriangleOf triangle_of_;
+    bool coarse_pays_ = true;                         // coarse bounds were enough for half of the last part
     std::vector<int32_t> own_points_, own_triangles_; // their numbers here; -1: not here
     // Here.
     std::vector<int32_t> points_, triangles_; // their numbers in the mesh

@@ -87,7 +87,7 @@ std::vector<int32_t> TrianglePool::beside_touched(size_t points) {
     return result;
 }
 
-void TrianglePool::prove(TriangleProof &proof, size_t points) {
+void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
     const std::vector<int32_t> wanted = beside_touched(points);
     distances_.resize(sites_.size());
     PartProof parts(proof, points, meshed_, wanted, [this](size_t i) { return (*this)[i]; });
@@ -96,7 +96,7 @@ void TrianglePool::prove(TriangleProof &proof, size_t points) {
         const size_t most = rest.size() == wanted.size() ? first_triangles : triangles_of_a_part;
         const auto part = rest.first(std::min(most, rest.size()));
         rest = rest.subspan(part.size());
-        parts.prove(part, found);
+        parts.prove(part, enough, found);
         for (size_t i = 0; i < part.size(); ++i) {
             distances_[static_cast<size_t>(part[i])] = {rounded_up(found[i].from_shape),
                                                         rounded_up(found[i].from_mesh)};

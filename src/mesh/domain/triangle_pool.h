@@ -26,8 +26,8 @@ public:
     void begin_strip() noexcept { strip_ = sites_.size(); }
     void drop_strip();
 
-    // Of all that are new, and of those beside them. points: how many there are.
-    void prove(TriangleProof &proof, size_t points);
+    // Of all that are new, and of those beside them. points: how many there are; enough: what is not more is not looked at more closely.
+    void prove(TriangleProof &proof, size_t points, double enough);
 
     // The numbers of those that are there.
     [[nodiscard]] size_t size() const noexcept { return sites_.size(); }

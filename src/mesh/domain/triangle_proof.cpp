@@ -12,8 +12,10 @@ namespace {
 constexpr int64_t most_pieces = 64;
 
 // How far places between a segment of the border and its curve are from it, in space.
-double move_over(const BorderSegment &segment, const HessianBox &box, const Rectangle &cell) noexcept {
-    const double u = segment.over[0] / cell.side(0), v = segment.over[1] / cell.side(1);
+double move_over(const BorderSegment &segment, const HessianBox &box, const Rectangle &cell,
+                 double most) noexcept {
+    const double u = std::clamp(segment.over[0] / cell.side(0), -most, most),
+                 v = std::clamp(segment.over[1] / cell.side(1), -most, most);
     return segment.across ? box.move(u, v) : box.move(u, 0) + box.move(0, v);
 }
 
@@ -32,10 +34,14 @@ Rectangle in_block(const Rectangle &part, const Rectangle &block) noexcept {
     return result;
 }
 
-constexpr double room = 1e-6;
+bool is_in(const Rectangle &part, const Rectangle &block) noexcept {
+    return part.lower[0] >= block.lower[0] && part.lower[1] >= block.lower[1] &&
+           part.upper[0] <= block.upper[0] && part.upper[1] <= block.upper[1];
+}
 
 // Whether a part reaches beyond a line at which the surface may have a kink.
 bool leaves(const Rectangle &part, const Rectangle &block) noexcept {
+    constexpr double room = 1e-6;
     bool result = false;
     for (size_t k = 0; k < 2; ++k) {
         result = result || part.lower[k] < block.lower[k] - room * block.side(k) ||
@@ -122,38 +128,34 @@ ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle, Effort effor
     return {bound, place.moved};
 }
 
-// Along an axis, what a part has beyond an end of a block: in the next one, or behind the seam; empty if there is nothing.
-Interval TriangleProof::beyond(const Rectangle &part, const Rectangle &block, size_t k, bool above) const {
+// Along an axis, what a part that reaches over seams has of each block.
+std::vector<Interval> TriangleProof::in_blocks(const Rectangle &part, size_t k) const {
     const auto &ends = cells_.tree().block_ends(k);
-    const double end = above ? block.upper[k] : block.lower[k], domain = ends.back() - ends.front();
-    const bool last = end == (above ? ends.back() : ends.front());
-    if (!(above ? part.upper[k] > end : part.lower[k] < end) || (last && !domain_.closed[k])) {
-        return {0, 0};
+    const double period = ends.back() - ends.front();
+    const int copies = domain_.closed[k] ? 1 : 0; // at each side
+    std::vector<Interval> result;
+    for (int copy = -copies; copy <= copies; ++copy) {
+        for (size_t i = 0; i + 1 < ends.size(); ++i) {
+            const Interval own{std::max(ends[i], part.lower[k] + copy * period),
+                               std::min(ends[i + 1], part.upper[k] + copy * period)};
+            if (own.lower < own.upper) {
+                result.push_back(own);
+            }
+        }
     }
-    const double moved = last ? (above ? -domain : domain) : 0;
-    return above ? Interval{end + moved, std::min(part.upper[k] + moved, ends.back())}
-                 : Interval{std::max(part.lower[k] + moved, ends.front()), end + moved};
+    return result;
 }
 
-// Curves beside their segments in other blocks, which have first derivatives of their own.
-double TriangleProof::moves_beyond(const SiteTriangle &triangle, const Rectangle &part,
-                                   const Rectangle &block) {
+// Curves beside their segments, in all blocks into which these reach: each has first derivatives of its own, and in each a way is no
+// longer than the part of it.
+double TriangleProof::moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part) {
     double moves = 0;
-    for (size_t k = 0; k < 2; ++k) {
-        for (const bool above : {false, true}) {
-            const Interval other = beyond(part, block, k, above);
-            if (!(other.lower < other.upper)) {
-                continue;
-            }
-            Rectangle own = in_block(part, block);
-            own.lower[k] = other.lower;
-            own.upper[k] = other.upper;
-            const int32_t number = cells_.tree().block_at(
-                {(own.lower[0] + own.upper[0]) / 2, (own.lower[1] + own.upper[1]) / 2});
-            own = in_block(own, cells_.tree().block(number));
+    for (const Interval &u : in_blocks(part, 0)) {
+        for (const Interval &v : in_blocks(part, 1)) {
+            const Rectangle own{{u.lower, v.lower}, {u.upper, v.upper}};
             const PieceRange pieces = nets_.pieces_in(own);
-            moves +=
-                pieces.count() <= most_pieces ? moves_over(triangle, nets_.box(own, pieces), own) : infinity;
+            moves += pieces.count() <= most_pieces ? moves_over(triangle, nets_.box(own, pieces), own, 1)
+                                                   : infinity;
         }
     }
     return moves;
@@ -183,7 +185,8 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     const Rectangle block = cells_.tree().block(number);
     ProvenTriangle result{{}, leaves(place.part, block) ? infinity : place.moved};
     widen(triangle, place.part);
-    result.over += moves_beyond(triangle, place.part, block);
+    const bool inside = is_in(place.part, block);
+    result.over += inside ? 0 : moves_in_blocks(triangle, place.part);
     place.part = in_block(place.part, block);
     const PieceRange pieces = nets_.pieces_in(place.part);
     if (pieces.count() > most_pieces) {
@@ -191,7 +194,7 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
         return result;
     }
     const HessianBox box = nets_.box(place.part, pieces);
-    result.over += moves_over(triangle, box, place.part);
+    result.over += inside ? moves_over(triangle, box, place.part) : 0;
     const CellPart here{&box, place.part};
     result.bound = triangle_bound(corners, {&here, 1});
     if (pieces.count() > 1) {
@@ -200,14 +203,13 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     return result;
 }
 
-double TriangleProof::moves_over(const SiteTriangle &triangle, const HessianBox &box,
-                                 const Rectangle &cell) const {
+double TriangleProof::moves_over(const SiteTriangle &triangle, const HessianBox &box, const Rectangle &cell,
+                                 double most) const {
     double moves = 0;
     for (const int32_t border : triangle.border) {
-        moves =
-            border < 0
-                ? moves
-                : std::max(moves, move_over(domain_.border.segments[static_cast<size_t>(border)], box, cell));
+        moves = border < 0 ? moves
+                           : std::max(moves, move_over(domain_.border.segments[static_cast<size_t>(border)],
+                                                       box, cell, most));
     }
     return moves;
 }

@@ -28,12 +28,6 @@ public:
     // `chord`: what is within it needs no better proof.
     TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites, double chord);
 
-    // Distances that are enough; 0: the best that there are.
-    void set_enough(double enough) noexcept { enough_ = enough; }
-    [[nodiscard]] double enough() const noexcept { return enough_; }
-    // Whether coarse bounds are worth a try: they were enough for half of the last triangles.
-    [[nodiscard]] bool try_coarse() const noexcept { return enough_ > 0 && coarse_pays_; }
-    void set_coarse_pays(bool pays) noexcept { coarse_pays_ = pays; }
     // Bounds of the strip are kept: most triangles stay from one round to the next. In units of the grid.
     [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle, Effort effort);
 
@@ -53,19 +47,18 @@ private:
     [[nodiscard]] ProvenTriangle in_strip(const SiteTriangle &triangle);
     [[nodiscard]] TriangleBound over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
                                            double &over) const;
+    // Ways are counted up to so many sides of the cell.
     [[nodiscard]] double moves_over(const SiteTriangle &triangle, const HessianBox &box,
-                                    const Rectangle &cell) const;
-    [[nodiscard]] Interval beyond(const Rectangle &part, const Rectangle &block, size_t k, bool above) const;
-    [[nodiscard]] double moves_beyond(const SiteTriangle &triangle, const Rectangle &part,
-                                      const Rectangle &block);
+                                    const Rectangle &cell, double most = infinity) const;
+    [[nodiscard]] std::vector<Interval> in_blocks(const Rectangle &part, size_t k) const;
+    [[nodiscard]] double moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part);
     void widen(const SiteTriangle &triangle, Rectangle &part) const noexcept;
 
     const MeshDomain &domain_;
     const CellGrid &cells_;
     const Sites &sites_;
     const pieces::PieceGrid &grid_;
-    double chord_, enough_ = 0;
-    bool coarse_pays_ = true;
+    double chord_;
     CellNets nets_;
     PieceBound by_pieces_;
     std::unordered_map<Key, ProvenTriangle, Hash> known_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Four numbers in two registers of every processor: the coordinates of a homogeneous point.
+// Four numbers in two registers of every processor: the coordinates of a homogeneous point. They are used a few at a time, inside of code
+// that is not worth a choice of instruction sets at run time (base/simd.h), by the vectors of the compilers.
 #pragma once
 
 #include <array>

@@ -2,6 +2,7 @@
 #include "intersect/levels/curves/level_curve.h"
 
 #include "base/numbers.h"
+#include "intersect/smooth_joint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,18 +25,6 @@ void unwrap(const SurfaceBorders &borders, std::vector<LevelSegment> &segments) 
             }
         }
     }
-}
-
-template <size_t N>
-bool is_smooth(const std::array<std::array<double, N>, 4> &a, double length_a,
-               const std::array<std::array<double, N>, 4> &b, double length_b) noexcept {
-    double apart = 0, size = 0;
-    for (size_t c = 0; c < N; ++c) {
-        const double before = (a[3][c] - a[2][c]) / length_a, after = (b[1][c] - b[0][c]) / length_b;
-        apart = std::max(apart, std::abs(before - after));
-        size = std::max({size, std::abs(before), std::abs(after)});
-    }
-    return apart <= 1e-9 * size;
 }
 
 class CurveMaker {
@@ -69,7 +58,8 @@ public:
 
 private:
     static bool goes_on(const LevelSegment &a, const LevelSegment &b) noexcept {
-        return is_smooth(a.on, a.length, b.on, b.length) && is_smooth(a.space, a.length, b.space, b.length);
+        return is_smooth_joint(a.on, a.length, b.on, b.length) &&
+               is_smooth_joint(a.space, a.length, b.space, b.length);
     }
     void add_point(const std::array<double, 2> &on, const std::array<double, 3> &space) {
         on_.insert(on_.end(), on.begin(), on.end());
