@@ -115,7 +115,7 @@ public:
         for (int round = 0; round < most_edge_rounds; ++round) {
             const Phase phase;
             const bool last = round + 1 == most_edge_rounds; // after which no edge may change
-            if (!mesh_faces(old, last) || last || !change_edges(old)) {
+            if (!mesh_faces(old, last) || last || is_enough() || !change_edges(old)) {
                 break;
             }
         }
@@ -133,6 +133,12 @@ private:
     // Those whose edges changed.
     bool mesh_faces(const std::vector<bool> &old, bool last);
     void note_weak(const FaceBorder &border, const DomainMesh &part);
+    // Where work has ended, faces of which all is there are better than coarse ones at better edges.
+    [[nodiscard]] bool is_enough() const {
+        return work_ended() && std::ranges::all_of(parts_, [](const DomainMesh &part) {
+                   return std::isfinite(part.from_shape) && std::isfinite(part.from_mesh);
+               });
+    }
     // Where faces need it. Returns whether there is something new; then `old` tells for whom.
     bool change_edges(std::vector<bool> &old);
 
@@ -193,10 +199,8 @@ bool ModelMesher::change_edges(std::vector<bool> &old) {
             old[static_cast<size_t>(face)] = any = true;
         }
     }
-    for (const auto &[first, second] : united_) {
-        for (const int64_t face : edges_.unite(first, second)) {
-            old[static_cast<size_t>(face)] = any = true;
-        }
+    for (const int64_t face : edges_.unite(united_)) {
+        old[static_cast<size_t>(face)] = any = true;
     }
     return any;
 }

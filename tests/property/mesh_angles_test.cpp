@@ -226,7 +226,7 @@ TEST(MeshAngles, solids_stay_closed) {
 // Powers of two in the unit of length change nothing.
 TEST(MeshAngles, angles_know_no_unit) {
     const Mesh mesh = refined(torus(3, 1).get(), 0.1, 0.4);
-    for (const double unit : {0x1p-40, 0x1p40}) {
+    for (const double unit : {0x1p-300, 0x1p-40, 0x1p40, 0x1p300}) {
         EXPECT_EQ(refined(torus(3 * unit, unit).get(), 0.1 * unit, 0.4).triangles, mesh.triangles);
     }
 }

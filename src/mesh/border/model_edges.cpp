@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace nrb::mesh {
 
@@ -163,19 +164,36 @@ std::vector<int64_t> ModelEdges::add_vertex(int64_t number, double param) {
     return update_users(at);
 }
 
-std::vector<int64_t> ModelEdges::unite(int32_t first, int32_t second) {
-    const double apart =
-        length(points_[static_cast<size_t>(first)] - points_[static_cast<size_t>(second)]) * (1 + 4 * eps);
+// What moves by less than that each stays within it of the curve.
+std::vector<int64_t> ModelEdges::unite(const std::vector<std::array<int32_t, 2>> &pairs) {
+    std::unordered_map<int32_t, int32_t> stands_for;
+    const auto stand_in = [&](int32_t point) {
+        for (auto found = stands_for.find(point); found != stands_for.end(); found = stands_for.find(point)) {
+            point = found->second;
+        }
+        return point;
+    };
+    for (const auto &[first, second] : pairs) {
+        if (const int32_t one = stand_in(first), other = stand_in(second); one != other) {
+            stands_for[other] = one;
+        }
+    }
     std::vector<int64_t> faces;
     for (size_t at = 0; at < lines_.size(); ++at) {
-        EdgeLine &line = lines_[at];
-        if (std::ranges::find(line.points, second) == line.points.end()) {
-            continue;
+        double apart = 0;
+        bool any = false;
+        for (int32_t &point : lines_[at].points) {
+            const int32_t other = stand_in(point);
+            any = any || other != point;
+            apart = std::max(
+                apart, length(points_[static_cast<size_t>(point)] - points_[static_cast<size_t>(other)]));
+            point = other;
         }
-        std::ranges::replace(line.points, second, first);
-        line.bound += apart;
-        const std::vector<int64_t> own = update_users(at);
-        faces.insert(faces.end(), own.begin(), own.end());
+        if (any) {
+            lines_[at].bound += apart * (1 + 4 * eps);
+            const std::vector<int64_t> own = update_users(at);
+            faces.insert(faces.end(), own.begin(), own.end());
+        }
     }
     return faces;
 }

@@ -52,8 +52,8 @@ public:
     }
     // A further vertex of the polyline of a number, unless it has one there, to rounding; the faces that have it. Points keep their numbers.
     std::vector<int64_t> add_vertex(int64_t number, double param);
-    // The first point in place of the second one, which a face cannot tell from it; the faces that have this one.
-    std::vector<int64_t> unite(int32_t first, int32_t second);
+    // Of each pair the first point in place of the second one, which a face cannot tell from it; the faces that have these.
+    std::vector<int64_t> unite(const std::vector<std::array<int32_t, 2>> &pairs);
 
 private:
     void make_line(size_t line, const PolylineRule &rule);

@@ -106,7 +106,7 @@ double CellBend::slope(double u, double v) const noexcept {
 }
 
 // Where triangles have others around, what comes out of them counts by the slopes of these (mesh_bound.h).
-// Of the two diagonals the better one counts. Of several parts, that in the middle of which the surface bends most.
+// Of several parts, that in the middle of which the surface bends most.
 double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
     const auto part = [&](const Range &range) {
@@ -115,11 +115,13 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                      range.radius};
     };
     const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv)};
-    const double one =
-        std::max(over_triangle(h, {-a, -b}, {a, -b}, {a, b}), over_triangle(h, {a, b}, {-a, b}, {-a, -b}));
-    const double other =
-        std::max(over_triangle(h, {a, -b}, {-a, -b}, {-a, b}), over_triangle(h, {-a, b}, {a, b}, {a, -b}));
-    const double height = std::min(one, other), out = std::max(beside[0] * u * u, beside[1] * v * v);
+    // The diagonal that triangles are going to have: over which the middle bends less.
+    const bool rising = std::abs(heights.along(u, v)) <= std::abs(heights.along(u, -v));
+    const double height = rising ? std::max(over_triangle(h, {-a, -b}, {a, -b}, {a, b}),
+                                            over_triangle(h, {a, b}, {-a, b}, {-a, -b}))
+                                 : std::max(over_triangle(h, {a, -b}, {-a, -b}, {-a, b}),
+                                            over_triangle(h, {-a, b}, {a, b}, {a, -b}));
+    const double out = std::max(beside[0] * u * u, beside[1] * v * v);
     const double width = std::min(speeds[0] * u, speeds[1] * v);
     return alone || out > most_out * width ? diagonal(height, out)
                                            : height + (out + height) * slope_times * slope(u, v);

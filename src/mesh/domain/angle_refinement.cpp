@@ -169,7 +169,7 @@ bool AngleRefinement::improve_all() {
 AngleRefinement::Divided AngleRefinement::divide(int32_t t, double longer) {
     const auto &s = net_[t].sites;
     size_t best = 3;
-    double most = longer;
+    double most = longer * rule_.scale;
     for (size_t k = 0; k < 3; ++k) {
         const double size = side_length(s[(k + 1) % 3], s[(k + 2) % 3]);
         const NetSide &side = net_[t].sides[k];

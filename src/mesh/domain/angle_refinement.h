@@ -26,7 +26,8 @@ class AngleRefinement {
 public:
     struct Rule {
         double angle = 0;    // the least one
-        double shortest = 0; // no side of such a length is divided
+        double scale = 1;    // by a power of two lengths come near 1
+        double shortest = 0; // in that unit: no side of such a length is divided
         std::function<bool(int32_t from, int32_t to)> is_allowed_side{}; // between sites, for new ones
     };
     AngleRefinement(const CellGrid &cells, Sites &sites, Rule rule)
@@ -38,7 +39,7 @@ public:
 
     // Until no triangle can be made better, or the limit of work.
     void run();
-    // Halves the longest side of a triangle that can be halved, if it is longer than that. A segment of the border would have to be
+    // Halves the longest side of a triangle that can be halved, if it is longer than that in the unit of the sites. A segment of the border would have to be
     // halved by others: then that is told, else -1.
     struct Divided {
         bool done = false;
@@ -64,7 +65,9 @@ private:
         int32_t barrier = -1; // the side that stays in the way: 4 times its triangle and its number
     };
 
-    [[nodiscard]] const Vector3 &at(int32_t site) const noexcept { return sites_.point(sites_[site].point); }
+    [[nodiscard]] Vector3 at(int32_t site) const noexcept {
+        return rule_.scale * sites_.point(sites_[site].point);
+    }
     [[nodiscard]] double side_length(int32_t a, int32_t b) const noexcept { return length(at(a) - at(b)); }
     [[nodiscard]] double least_angle(const std::array<int32_t, 3> &sites) const noexcept;
     [[nodiscard]] double area(const std::array<int32_t, 3> &sites) const noexcept;

@@ -16,7 +16,7 @@ constexpr int most_proofs = 12;
 
 AngleRefinement DomainMesher::refinement() {
     AngleRefinement result(
-        cells_, sites_, {rule_.least_angle, grid_.unscaled(least_), [this](int32_t from, int32_t to) {
+        cells_, sites_, {rule_.least_angle, grid_.scaled(1), least_, [this](int32_t from, int32_t to) {
                              const bool turned =
                                  angle_ > 0 && length(sites_.normal(from) - sites_.normal(to)) > most_apart_;
                              const double size = length(sites_.position(from) - sites_.position(to));
