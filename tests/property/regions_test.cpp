@@ -323,6 +323,32 @@ TEST(Regions, RulesOfFillingAreTurnsAroundAPlace) {
     });
 }
 
+// A cutter that goes back along its way, whichever edge comes first and whichever way it runs.
+TEST(Regions, SpikesBoundNothing) {
+    const auto side = [](const Point &a, const Point &b) {
+        return create({{1}, {2}, {{0, 0, 1, 1}}, 2, {a[0], a[1], b[0], b[1]}, {}});
+    };
+    const Point corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (const bool turned : {false, true}) {
+        const Point from{turned ? 0.5 : 1, 0}, to{turned ? 1 : 0.5, 0};
+        for (const int32_t rule : {NURBS_FILL_NON_ZERO, NURBS_FILL_EVEN_ODD, NURBS_FILL_POSITIVE}) {
+            Curves curves;
+            curves.push_back(side(from, to));
+            curves.push_back(side(to, from));
+            for (size_t i = 0; i < 4; ++i) {
+                curves.push_back(side(corners[i], corners[(i + 1) % 4]));
+            }
+            EXPECT_NEAR(area_of(region(curves, rule)), 1, 1e-9); // as it is asked for
+        }
+    }
+    Curves outline;
+    const Point way[] = {{0.5, 0}, {0.25, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {0.5, 0}};
+    for (size_t i = 0; i + 1 < std::size(way); ++i) {
+        outline.push_back(side(way[i], way[i + 1]));
+    }
+    EXPECT_NEAR(area_of(region(outline)), 1, 1e-9);
+}
+
 // Areas grow with the map, whatever it does to directions; powers of two change no bit.
 TEST(Regions, FollowAffineMaps) {
     for_each_case(8800, 30, [](Random &random, uint64_t) {

@@ -143,6 +143,9 @@ private:
                 return;
             }
             known_[next.edge] = known_[edge.edge];
+            if (next.back != edge.back) { // edges of which one runs against the other
+                std::swap(known_[next.edge]->left, known_[next.edge]->right);
+            }
             edge = next;
         }
     }
