@@ -338,7 +338,7 @@ TEST(Regions, SpikesBoundNothing) {
             for (size_t i = 0; i < 4; ++i) {
                 curves.push_back(side(corners[i], corners[(i + 1) % 4]));
             }
-            EXPECT_NEAR(area_of(region(curves, rule)), 1, 1e-9); // as it is asked for
+            EXPECT_NEAR(area_of(region(curves, rule)), 1, 1e-12); // as it is asked for
         }
     }
     Curves outline;
@@ -346,7 +346,7 @@ TEST(Regions, SpikesBoundNothing) {
     for (size_t i = 0; i + 1 < std::size(way); ++i) {
         outline.push_back(side(way[i], way[i + 1]));
     }
-    EXPECT_NEAR(area_of(region(outline)), 1, 1e-9);
+    EXPECT_NEAR(area_of(region(outline)), 1, 1e-12);
 }
 
 // Areas grow with the map, whatever it does to directions; powers of two change no bit.
