@@ -74,6 +74,9 @@ struct Query {
     int64_t budget;        // most pieces examined; 0: the usual number
     bool farthest = false; // the farthest point instead of the nearest one
     bool alone = false;    // whether others are as near is not asked
+    // Places of a surface or volume are told apart by their parameters, too: sheets may lie on each other. Among the minima there
+    // may then be some that are so from one side only.
+    bool sheets = false;
 
     [[nodiscard]] int64_t most_pieces() const noexcept {
         return budget > 0 ? budget : pieces::default_budget;

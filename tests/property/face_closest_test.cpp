@@ -112,4 +112,56 @@ TEST(FaceClosest, of_places_over_a_hole_are_on_its_rim) {
     });
 }
 
+// A sheet that a surface runs over twice, there and back: the nearest point of a face of the way back is where it is on a face of the
+// sheet alone, though the way there, which is outside, is as near.
+TEST(FaceClosest, of_sheets_on_each_other_that_of_the_face_counts) {
+    int64_t inside = 0;
+    for_each_case(3020000, 60, [&](Random &random, uint64_t seed) {
+        const int32_t p = random.whole(1, 3);
+        SplineData once{{p, 2}, {p + 1, 3}, {Vec(2 * static_cast<size_t>(p) + 2), {0, 0, 0, 1, 1, 1}}, 3, {},
+                        {},     0};
+        std::fill(once.knots[0].begin() + p + 1, once.knots[0].end(), 1.0);
+        const bool rational = random.chance(50);
+        for (int i = 0; i <= p; ++i) {
+            for (int j = 0; j <= 2; ++j) {
+                once.points.insert(once.points.end(), {i + random.between(-0.2, 0.2),
+                                                       j + random.between(-0.2, 0.2), random.between(0, 1)});
+                if (rational) {
+                    once.weights.push_back(random.between(0.5, 2));
+                }
+            }
+        }
+        SplineData twice = once;
+        twice.counts[0] = 2 * p + 1;
+        twice.knots[0].insert(twice.knots[0].end() - 1, static_cast<size_t>(p), 2.0);
+        twice.knots[0].back() = 2;
+        for (int i = p - 1; i >= 0; --i) {
+            const auto layer = [i](std::vector<double> &to, const std::vector<double> &from, int width) {
+                to.insert(to.end(), from.begin() + i * width, from.begin() + (i + 1) * width);
+            };
+            layer(twice.points, once.points, 9);
+            if (rational) {
+                layer(twice.weights, once.weights, 3);
+            }
+        }
+        const Handle sheet = create(once), back = create(twice);
+        const double u = random.between(0.1, 0.5), v = random.between(0.1, 0.5), w = random.between(0.2, 0.4);
+        const Handle loop = polygon({{u, v}, {u + w, v}, {u + w, v + w}, {u, v + w}});
+        const Handle mirrored = polygon({{2 - u, v}, {2 - u - w, v}, {2 - u - w, v + w}, {2 - u, v + w}});
+        const Face face = face_of(sheet.get(), {{loop.get()}}),
+                   other = face_of(back.get(), {{mirrored.get()}});
+        for (int i = 0; i < 4; ++i) {
+            const Vec above =
+                eval(sheet.get(), {u + random.between(0.1, 0.9) * w, v + random.between(0.1, 0.9) * w});
+            const Vec point{above[0], above[1], above[2] + random.between(-0.1, 0.1)};
+            const Answer expected = nearest(face.get(), point, 1e-9),
+                         answer = nearest(other.get(), point, 1e-9);
+            ASSERT_NEAR(answer.distance, expected.distance, 2e-9) << seed;
+            ASSERT_TRUE(answer.certified() || !expected.certified()) << seed;
+            inside += answer.boundary() ? 0 : 1;
+        }
+    });
+    EXPECT_GE(inside, of_whole_run(120));
+}
+
 } // namespace face_closest_test

@@ -122,7 +122,7 @@ std::vector<PatchQuery::FootCandidate> PatchMinima::distinct_minima() {
         const auto same = [&](int64_t number) {
             return same_point(place, kept[static_cast<size_t>(number)]);
         };
-        if (!points.any_near(point.data(), same) && is_minimum(place)) {
+        if (!points.any_near(point.data(), same) && (query_.sheets || is_minimum(place))) {
             kept.push_back(place);
             points.add(point.data());
         }

@@ -63,4 +63,14 @@ Foot foot_at(const PieceGrid &pieces, int64_t piece, const AxisValues &at, const
     return foot;
 }
 
+bool near_params(const PieceGrid &pieces, const Foot &a, const Foot &b) noexcept {
+    bool near = true;
+    for (int axis = 0; axis < pieces.spline_axes(); ++axis) {
+        const auto i = static_cast<size_t>(axis);
+        const double lower = pieces.break_at(axis, 0), upper = pieces.break_at(axis, pieces.count(axis));
+        near = near && std::abs(a.params[i] - b.params[i]) <= 0x1p-40 * (upper - lower);
+    }
+    return near;
+}
+
 } // namespace nrb::closest

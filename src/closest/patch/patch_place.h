@@ -12,6 +12,8 @@ PatchBox box_in_range(const PieceGrid &pieces, int64_t piece, const Interval *ra
 
 // Parameters, sides and whether they are on the boundary, of a place in a piece.
 Foot foot_at(const PieceGrid &pieces, int64_t piece, const AxisValues &at, const Interval *range) noexcept;
+// Whether two places differ by rounding only.
+bool near_params(const PieceGrid &pieces, const Foot &a, const Foot &b) noexcept;
 // closest_boundary or 0.
 int32_t boundary_bit(const PieceGrid &pieces, const Foot &foot, const Interval *range) noexcept;
 

@@ -23,8 +23,16 @@ PatchBox PatchQuery::box(int64_t piece) const noexcept {
     return box_in_range(pieces_, piece, query_.range);
 }
 
+bool PatchQuery::same_params(const FootCandidate &a, const FootCandidate &b) const noexcept {
+    return near_params(pieces_, foot_at(pieces_, a.piece, a.at, query_.range),
+                       foot_at(pieces_, b.piece, b.at, query_.range));
+}
+
 // Rounding cannot tell points apart that are nearer to each other than this on a sphere about x.
 bool PatchQuery::same_point(const FootCandidate &a, const FootCandidate &b) {
+    if (query_.sheets && !same_params(a, b)) {
+        return false;
+    }
     count_work(4 * pieces_.shape().values());
     const PatchMemory::Hold hold(memory_);
     const int dim = pieces_.shape().dim;

@@ -38,6 +38,7 @@ protected:
     bool walk(FootCandidate &place);
     bool walk_on(FootCandidate &place);
     [[nodiscard]] bool same_point(const FootCandidate &a, const FootCandidate &b);
+    [[nodiscard]] bool same_params(const FootCandidate &a, const FootCandidate &b) const noexcept;
     [[nodiscard]] std::vector<double> point_of(const FootCandidate &place);
     // How far points at such a distance are apart that rounding cannot tell apart.
     [[nodiscard]] double least_apart(double value) const noexcept {

@@ -103,7 +103,7 @@ closest::Foot FaceLocator::nearest_inside(const double *point, double tolerance,
     if (beyond > tolerance && std::isfinite(beyond)) {
         const Spline &surface = *face_.surface();
         const closest::CriticalSet minima = closest::locator_of(surface).minima(
-            {point, nullptr, beyond, closest::usual_budget(surface), false, false});
+            {point, nullptr, beyond, closest::usual_budget(surface), false, false, true});
         sure = sure && (minima.status & closest::closest_certified) != 0;
         for (const closest::CriticalPoint &minimum : minima.points) {
             if (minimum.foot.distance < best.distance && side(minimum.foot) > 0) {

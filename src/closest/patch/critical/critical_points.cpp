@@ -5,19 +5,37 @@
 
 namespace nrb::closest {
 
-bool CriticalPoints::has(const std::vector<double> &point) const {
-    return places_.any_near(point.data(), [](int64_t) { return true; });
+namespace {
+
+AxisValues in_piece(const CriticalQuery &query, const PatchItem &whole, const AxisValues &at) noexcept {
+    AxisValues place{};
+    for (int k = 0; k < query.shape().axes; ++k) {
+        place[static_cast<size_t>(k)] = std::clamp(whole.to_piece(k, at[static_cast<size_t>(k)]), 0.0, 1.0);
+    }
+    return place;
+}
+
+} // namespace
+
+Foot CriticalPoints::foot(const PatchItem &whole, const AxisValues &at) const noexcept {
+    return foot_at(query_.pieces(), whole.piece, in_piece(query_, whole, at), query_.query().range);
+}
+
+bool CriticalPoints::has(const std::vector<double> &point, const PatchItem &whole,
+                         const AxisValues &at) const {
+    const bool sheets = query_.query().sheets;
+    const Foot own = sheets ? foot(whole, at) : Foot{};
+    return places_.any_near(point.data(), [&](int64_t number) {
+        return !sheets || near_params(query_.pieces(), found_[static_cast<size_t>(number)].foot, own);
+    });
 }
 
 void CriticalPoints::add(const PatchItem &whole, const AxisValues &at, int32_t kind) {
     const PieceGrid &pieces = query_.pieces();
-    AxisValues place{};
-    for (int k = 0; k < query_.shape().axes; ++k) {
-        place[static_cast<size_t>(k)] = std::clamp(whole.to_piece(k, at[static_cast<size_t>(k)]), 0.0, 1.0);
-    }
+    const AxisValues place = in_piece(query_, whole, at);
     const double distance = query_.descent().distance(whole.values, at);
     CriticalPoint critical;
-    critical.foot = foot_at(pieces, whole.piece, place, query_.query().range);
+    critical.foot = foot(whole, at);
     critical.foot.distance = pieces.unscaled(distance);
     critical.foot.noise = pieces.unscaled(query_.noise());
     critical.kind = kind;

@@ -23,8 +23,9 @@ public:
     explicit CriticalPoints(const CriticalQuery &query)
         : query_(query), places_(query.shape().dim, query.near()) {}
 
-    // Whether the point is nearer to one of them than the tolerance.
-    [[nodiscard]] bool has(const std::vector<double> &point) const;
+    // Whether the point, which is at this place of a piece, is nearer to one of them than the tolerance.
+    [[nodiscard]] bool has(const std::vector<double> &point, const PatchItem &whole,
+                           const AxisValues &at) const;
     [[nodiscard]] bool full() const noexcept { return found_.size() >= 4096; }
     // A place of a piece as far as it is in the range.
     void add(const PatchItem &whole, const AxisValues &at, int32_t kind);
@@ -36,6 +37,8 @@ public:
     [[nodiscard]] std::vector<CriticalPoint> sorted() const;
 
 private:
+    [[nodiscard]] Foot foot(const PatchItem &whole, const AxisValues &at) const noexcept;
+
     const CriticalQuery &query_;
     std::vector<CriticalPoint> found_;
     std::vector<MinimumCandidate> candidates_; // the same

@@ -49,7 +49,7 @@ void CriticalSearch::search_piece(const PatchFace &face, const pieces::PatchSqua
 void CriticalSearch::examine_corner(const Target &target) {
     const AxisValues at = target.face.in_piece({});
     const bool wanted = minima_ || kind_at(query_, target.face, target.whole, at) != critical_saddle;
-    if (wanted && !poles_.any_at(query_.point(target.whole, at))) {
+    if (wanted && !poles_.any_at(query_.point(target.whole, at), target.whole.piece)) {
         add(target, at, true);
     }
 }
@@ -99,7 +99,7 @@ bool CriticalSearch::finished(const Target &target, const FacePart &part, int &a
         return too_deep;
     }
     const bool flat = slopes.spread() <= 8 * query_.noise(); // one point, or many at one distance
-    if (excluded(slopes, flat)) {
+    if (excluded(slopes, flat, target.whole.piece)) {
         return true;
     }
     if (flat || too_deep) {
@@ -118,9 +118,9 @@ bool CriticalSearch::finished(const Target &target, const FacePart &part, int &a
 }
 
 // Whether there is no critical point in a part, or none besides a pole.
-bool CriticalSearch::excluded(PatchSlopes &slopes, bool flat) {
+bool CriticalSearch::excluded(PatchSlopes &slopes, bool flat, int64_t piece) {
     return slopes.least() > limit_ || slopes.monotone() || (flat && slopes.slanted()) ||
-           poles_.absorbs(slopes, flat);
+           poles_.absorbs(slopes, flat, piece);
 }
 
 // A part whose distances agree, or that is too small to be halved, stands for all of its points.
@@ -129,7 +129,7 @@ void CriticalSearch::add_all(const Target &target, const FacePart &part, const P
     const std::vector<double> point = query_.point(target.whole, at);
     const bool is_point = slopes.extent(point.data()) <= query_.near();
     if (is_point ? is_real(target, at) : slopes.spread() <= 8 * query_.noise()) {
-        poles_.leave_open(point);
+        poles_.leave_open(point, target.whole.piece);
         add(target, at, is_point);
     }
 }
@@ -138,7 +138,8 @@ void CriticalSearch::add_all(const Target &target, const FacePart &part, const P
 // no other reason.
 bool CriticalSearch::find(const Target &target, const FacePart &part, bool singular) {
     const std::optional<NewtonResult> found = newton(query_, target.face, target.whole, part);
-    if (!found || (singular && poles_.critical_at(query_.point(target.whole, found->at)))) {
+    if (!found ||
+        (singular && poles_.critical_at(query_.point(target.whole, found->at), target.whole.piece))) {
         return false;
     }
     if (found->converged && is_real(target, found->at)) {
@@ -149,21 +150,22 @@ bool CriticalSearch::find(const Target &target, const FacePart &part, bool singu
 
 bool CriticalSearch::is_real(const Target &target, const AxisValues &at) {
     const bool real = is_critical(query_, target.face, target.whole, at);
-    gaps_.doubtful = gaps_.doubtful || (!real && !poles_.any_at(query_.point(target.whole, at)));
+    gaps_.doubtful =
+        gaps_.doubtful || (!real && !poles_.any_at(query_.point(target.whole, at), target.whole.piece));
     return real;
 }
 
 void CriticalSearch::add(const Target &target, const AxisValues &at, bool isolated) {
     const std::vector<double> point = query_.point(target.whole, at);
     const int32_t kind = isolated ? kind_at(query_, target.face, target.whole, at) : critical_undecided;
-    if (minima_ && !poles_.any_at(point)) {
+    if (minima_ && !query_.query().sheets && !poles_.any_at(point, target.whole.piece)) {
         votes_.add(point, target.whole.piece, kind);
     }
     if (minima_ && (kind == critical_maximum || kind == critical_saddle)) {
         return;
     }
     gaps_.connected = gaps_.connected || !isolated;
-    if (poles_.absorbs(point) || points_.has(point)) {
+    if (poles_.absorbs(point, target.whole.piece) || points_.has(point, target.whole, at)) {
         return;
     }
     if (points_.full()) {

@@ -39,7 +39,7 @@ private:
     void examine_corner(const Target &target);
     void examine(const Target &target, FacePart &part);
     bool finished(const Target &target, const FacePart &part, int &axis);
-    bool excluded(PatchSlopes &slopes, bool flat);
+    bool excluded(PatchSlopes &slopes, bool flat, int64_t piece);
     void split(const Target &target, FacePart &part, int axis);
     void add_all(const Target &target, const FacePart &part, const PatchSlopes &slopes);
     bool find(const Target &target, const FacePart &part, bool singular);

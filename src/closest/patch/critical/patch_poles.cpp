@@ -168,37 +168,43 @@ bool PatchPoles::absorb(double apart) {
     return true;
 }
 
-bool PatchPoles::absorbs(const PatchSlopes &slopes, bool flat) {
+bool PatchPoles::is_beside(const Pole &pole, int64_t piece) const noexcept {
+    const auto axis = static_cast<size_t>(pole.axis);
+    const int64_t last = query_.pieces().count(pole.axis) - 1;
+    return !query_.query().sheets || query_.pieces().index(piece)[axis] == (pole.at[axis] > 0 ? last : 0);
+}
+
+bool PatchPoles::absorbs(const PatchSlopes &slopes, bool flat, int64_t piece) {
     for (const Pole &pole : poles_) {
         const double extent = slopes.extent(pole.point.data());
-        if (pole.kind != 0 && extent <= (flat ? pole.radius : query_.near())) {
+        if (pole.kind != 0 && is_beside(pole, piece) && extent <= (flat ? pole.radius : query_.near())) {
             return absorb(extent);
         }
     }
     return false;
 }
 
-bool PatchPoles::absorbs(const std::vector<double> &point) {
+bool PatchPoles::absorbs(const std::vector<double> &point, int64_t piece) {
     for (const Pole &pole : poles_) {
-        if (pole.kind != 0 && at(pole, point)) {
+        if (pole.kind != 0 && at(pole, point, piece)) {
             return absorb(query_.apart(point, pole.point));
         }
     }
     return false;
 }
 
-bool PatchPoles::critical_at(const std::vector<double> &point) const noexcept {
-    return std::any_of(poles_.begin(), poles_.end(),
-                       [&](const Pole &pole) { return pole.kind != 0 && at(pole, point); });
+bool PatchPoles::critical_at(const std::vector<double> &point, int64_t piece) const noexcept {
+    return std::ranges::any_of(poles_,
+                               [&](const Pole &pole) { return pole.kind != 0 && at(pole, point, piece); });
 }
 
-bool PatchPoles::any_at(const std::vector<double> &point) const noexcept {
-    return std::any_of(poles_.begin(), poles_.end(), [&](const Pole &pole) { return at(pole, point); });
+bool PatchPoles::any_at(const std::vector<double> &point, int64_t piece) const noexcept {
+    return std::ranges::any_of(poles_, [&](const Pole &pole) { return at(pole, point, piece); });
 }
 
-void PatchPoles::leave_open(const std::vector<double> &point) {
+void PatchPoles::leave_open(const std::vector<double> &point, int64_t piece) {
     for (Pole &pole : poles_) {
-        if (pole.kind == 0 && at(pole, point)) {
+        if (pole.kind == 0 && at(pole, point, piece)) {
             gaps_.connected = true;
             pole.kind = critical_undecided;
             add_point(pole);

@@ -19,15 +19,15 @@ public:
     void find();
     // Whether a face is such an edge, or an end of one.
     [[nodiscard]] bool holds(const PatchFace &face) const noexcept;
-    // Whether a part belongs to a critical pole: it is as near as the tolerance, or, if distances in it agree
+    // Whether a part of a piece belongs to a critical pole: it is as near as the tolerance, or, if distances in it agree
     // to rounding, as rounding leaves open.
-    [[nodiscard]] bool absorbs(const PatchSlopes &slopes, bool flat);
-    [[nodiscard]] bool absorbs(const std::vector<double> &point);
-    // Whether a point is at a critical pole, or at any pole.
-    [[nodiscard]] bool critical_at(const std::vector<double> &point) const noexcept;
-    [[nodiscard]] bool any_at(const std::vector<double> &point) const noexcept;
+    [[nodiscard]] bool absorbs(const PatchSlopes &slopes, bool flat, int64_t piece);
+    [[nodiscard]] bool absorbs(const std::vector<double> &point, int64_t piece);
+    // Whether a point of a piece is at a critical pole, or at any pole.
+    [[nodiscard]] bool critical_at(const std::vector<double> &point, int64_t piece) const noexcept;
+    [[nodiscard]] bool any_at(const std::vector<double> &point, int64_t piece) const noexcept;
     // A part at a pole that is not critical, which rounding has left open, makes the pole an undecided one.
-    void leave_open(const std::vector<double> &point);
+    void leave_open(const std::vector<double> &point, int64_t piece);
 
 private:
     // Kind: a critical_ constant, 0 if the pole is not critical as far as is known.
@@ -49,8 +49,10 @@ private:
     [[nodiscard]] bool proven(const std::vector<int64_t> &pieces, const Pole &pole) const;
     void add(Pole pole, const std::vector<int64_t> &pieces);
     void add_point(const Pole &pole);
-    [[nodiscard]] bool at(const Pole &pole, const std::vector<double> &point) const noexcept {
-        return query_.apart(point, pole.point) <= pole.radius;
+    // Of sheets on each other only that which has the pole counts.
+    [[nodiscard]] bool is_beside(const Pole &pole, int64_t piece) const noexcept;
+    [[nodiscard]] bool at(const Pole &pole, const std::vector<double> &point, int64_t piece) const noexcept {
+        return is_beside(pole, piece) && query_.apart(point, pole.point) <= pole.radius;
     }
     bool absorb(double apart);
 
