@@ -68,9 +68,9 @@ bool attempt(const Call &call, int64_t k, bool on) {
 
 bool all_of_them = false;
 
-// The first hundred and twenty-eight, and of later ones, which are made in loops, fewer and fewer, unless all are asked for.
+// The first thirty-two, and of later ones, which are made in loops, fewer and fewer, unless all are asked for.
 int64_t next_one(int64_t k) {
-    return k + (all_of_them ? 1 : 1 + k / 128);
+    return k + (all_of_them ? 1 : 1 + k / 32);
 }
 
 void every_allocation_fails(const Call &call) {

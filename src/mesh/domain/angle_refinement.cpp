@@ -12,8 +12,12 @@ namespace {
 // Of the shortest side of a triangle, for new ones: places of the domain are not quite where they are wanted in space.
 constexpr double least_of_shortest = 0.85;
 // Triangles with smaller ones are segments, as all are where an axis has degree 0.
-constexpr double no_angle = 1e-6;
+constexpr double no_angle = 1e-12;
 constexpr int most_tries = 4, most_passes = 32;
+// The same for the halves of a longest side, where no other place is any good.
+constexpr double least_half = 0.4;
+// Of them for each triangle that is bad at first.
+constexpr int64_t most_halvings_of_bad = 8;
 // New places for each triangle of equal sides that there is room for at first.
 constexpr double most_places = 6;
 
@@ -121,8 +125,19 @@ bool AngleRefinement::improve(int32_t t) {
         return false;
     }
     const Place place = place_for(t);
-    return place.barrier >= 0 ? halve(place.barrier / 4, static_cast<size_t>(place.barrier % 4), shortest)
-                              : place.triangle >= 0 && insert(place, shortest * least_of_shortest);
+    const bool done = place.barrier >= 0
+                          ? halve(place.barrier / 4, static_cast<size_t>(place.barrier % 4), shortest)
+                          : place.triangle >= 0 && insert(place, shortest * least_of_shortest);
+    return done || halve_longest(t, shortest * least_half);
+}
+
+// Where flips are not free to do their part. Angles near 30 degrees would never come to an end by that.
+bool AngleRefinement::halve_longest(int32_t t, double shortest) {
+    if (halvings_ <= 0) {
+        return false;
+    }
+    --halvings_;
+    return halve(t, longest_side(t), shortest);
 }
 
 // As long as one makes another one better.
@@ -153,6 +168,7 @@ bool AngleRefinement::improve_all() {
     for (int32_t t = 0; t < net_.size(); ++t) {
         want(t);
     }
+    halvings_ = keeps_near_ ? most_halvings_of_bad * std::ssize(waiting_) : 0;
     while (!waiting_.empty() && budget_ > 0 && !work_ended()) {
         std::ranges::pop_heap(waiting_);
         const auto [angle, own] = waiting_.back();

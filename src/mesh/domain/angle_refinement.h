@@ -29,6 +29,7 @@ public:
         double scale = 1;    // by a power of two lengths come near 1
         double shortest = 0; // in that unit: no side of such a length is divided
         std::function<bool(int32_t from, int32_t to)> is_allowed_side{}; // between sites, for new ones
+        std::function<bool(int32_t from, int32_t to)> is_near_side{};    // the same, of keep_near()
     };
     AngleRefinement(const CellGrid &cells, Sites &sites, Rule rule)
         : cells_(cells), sites_(sites), rule_(std::move(rule)) {}
@@ -37,6 +38,9 @@ public:
     int32_t add(const NetTriangle &triangle) { return net_.add(triangle); }
     void join();
 
+    // From now on flips make no sides that are too far from the surface, even where angles would be larger: else what one division
+    // mends would go on in the triangles beside it, row by row.
+    void keep_near() noexcept { keeps_near_ = true; }
     // Until no triangle can be made better, or the limit of work.
     void run();
     // Halves the longest side of a triangle that can be halved, if it is longer than that in the unit of the sites. A segment of the border would have to be
@@ -89,6 +93,7 @@ private:
     // -1 if there is one.
     int32_t make_site(const std::array<double, 2> &param, int32_t triangle);
     bool improve(int32_t triangle);
+    bool halve_longest(int32_t triangle, double shortest);
     bool improve_all();
     void flip_all();
     void set_budget();
@@ -105,6 +110,8 @@ private:
     Sites &sites_;
     Rule rule_;
     SiteNet net_;
+    bool keeps_near_ = false;
+    int64_t halvings_ = 0;            // of longest sides that may still be tried
     int64_t budget_ = 0;              // places that may still be tried
     std::vector<char> fixed_, poles_; // sites at the border, and at poles
     std::vector<std::pair<double, std::array<int32_t, 4>>>

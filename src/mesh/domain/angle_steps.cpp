@@ -162,7 +162,8 @@ bool AngleRefinement::is_better_flipped(int32_t t, size_t k) const noexcept {
     const double before = std::min(least_angle(s), least_angle(net_[side.next].sites));
     return area(one) > 0 && area(other) > 0 &&
            std::min(least_angle(one), least_angle(other)) > before * (1 + 1e-9) &&
-           rule_.is_allowed_side(p, q) && !are_joined(t, k, sites_[q].point);
+           rule_.is_allowed_side(p, q) && (!keeps_near_ || rule_.is_near_side(p, q)) &&
+           !are_joined(t, k, sites_[q].point);
 }
 
 // Flips around a new site, where triangles are beside each other.

@@ -4,6 +4,7 @@
 #include "base/watch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::mesh {
 
@@ -11,17 +12,23 @@ namespace {
 
 // Rounds in which triangles that are better shaped, and therefore elsewhere, are proven and divided.
 constexpr int most_proofs = 12;
+// Those that may put far sides in the place of near ones: few triangles are left to be divided.
+constexpr int free_rounds = 3;
 
 } // namespace
 
 AngleRefinement DomainMesher::refinement() {
-    AngleRefinement result(
-        cells_, sites_, {rule_.least_angle, grid_.scaled(1), least_, [this](int32_t from, int32_t to) {
-                             const bool turned =
-                                 angle_ > 0 && length(sites_.normal(from) - sites_.normal(to)) > most_apart_;
-                             const double size = length(sites_.position(from) - sites_.position(to));
-                             return !turned && !(longest_ > 0 && size > longest_);
-                         }});
+    const auto is_allowed = [this](int32_t from, int32_t to) {
+        const bool turned = angle_ > 0 && length(sites_.normal(from) - sites_.normal(to)) > most_apart_;
+        const double size = length(sites_.position(from) - sites_.position(to));
+        return !turned && !(longest_ > 0 && size > longest_);
+    };
+    // By the height of the arc that has such normals at its ends; without them nothing is known.
+    const auto is_near = [this](int32_t from, int32_t to) {
+        const Vector3 along = sites_.position(to) - sites_.position(from);
+        return !(std::abs(dot(along, sites_.normal(to) - sites_.normal(from))) / 8 > chord_);
+    };
+    AngleRefinement result(cells_, sites_, {rule_.least_angle, grid_.scaled(1), least_, is_allowed, is_near});
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (triangles_.has(i)) {
             NetTriangle triangle{triangles_[i].sites};
@@ -87,6 +94,9 @@ void DomainMesher::keep_least_angle() {
     }
     AngleRefinement refinement = this->refinement();
     for (int round = 0;; ++round) {
+        if (round == free_rounds) {
+            refinement.keep_near();
+        }
         refinement.run();
         take(refinement);
         sites_.evaluate();
