@@ -36,13 +36,11 @@ const intersect::Meet &two_surfaces_of(const nurbs_meet *meet) {
     return own;
 }
 
-void check_one_surface(const intersect::Meet &meet) {
+void check_trims(const intersect::Meet &meet, const nurbs_face *face) {
+    require(face, "face");
     const auto is_of_model = [](const auto &of) { return of.face >= 0; };
     if (std::ranges::any_of(meet.nodes, is_of_model) || std::ranges::any_of(meet.branches, is_of_model)) {
-        fail(Status::incompatible, "meet is of a model, expected one of a surface");
-    }
-    if (meet.of_two) {
-        fail(Status::incompatible, "meet is of two surfaces, expected one of a surface");
+        fail(Status::incompatible, "meet is of a model, expected one of surfaces or faces");
     }
 }
 
@@ -267,8 +265,7 @@ nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nur
     return guard([&] {
         require_out(out);
         const intersect::Meet &whole = meet_of(meet);
-        require(face, "face");
-        check_one_surface(whole);
+        check_trims(whole, face);
         give_meet(face::trimmed(*face->face, whole), out);
     });
 }
@@ -276,4 +273,18 @@ nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nur
 nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
                                   const nurbs_call_options *call, nurbs_meet **out) {
     return watched(call, out, [&] { return nurbs_meet_trim(meet, face, out); });
+}
+
+nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const intersect::Meet &whole = two_surfaces_of(meet);
+        check_trims(whole, face);
+        give_meet(face::trimmed(*face->face, whole, 1), out);
+    });
+}
+
+nurbs_status nurbs_meet_trim_second_with(const nurbs_meet *meet, const nurbs_face *face,
+                                         const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_meet_trim_second(meet, face, out); });
 }

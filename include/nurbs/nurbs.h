@@ -5966,7 +5966,7 @@ NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int
 /** \brief Where the nodes of a meet are on the second of two surfaces.
  * \param[in] meet of nurbs_surface_intersections().
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
- * \param[out] params [cap][2] or NULL: parameters of the second surface; of a part its middle.
+ * \param[out] params [cap][2] or NULL: parameters of the second surface, in its domain; of a part its middle.
  * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis.
  * \param[out] count or NULL: number of nodes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough, _INCOMPATIBLE if the meet
@@ -6017,17 +6017,19 @@ NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, in
                                          int64_t *count);
 
 /** \brief What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes BORDER on them,
- * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed. Where curves
+ * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed; of a meet of
+ * two surfaces it is what lies in a face of the first one, and nurbs_meet_trim_second() tells what of that lies in one of
+ * the second. Where curves
  * cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts are inside by the sides
  * of their middles (nurbs_face_classify()); what runs along a loop, to 1e-9 of the domain, is inside; where crossings
  * are undecided there is a node UNDECIDED. A closed branch that
  * is cut is cut where it begins, too, in two nodes SEAM. A node TOUCH stays if its middle is in the face, a node
- * UNDECIDED in any case. Deviations stay.
- * \param[in] meet of the surface of the face, or one with the same parameters.
+ * UNDECIDED unless all of its part is outside. Deviations stay.
+ * \param[in] meet of the surface of the face, or one with the same parameters; or of two, the first of which it is.
  * \param[in] face a face.
  * \param[out] out the new meet.
  * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are
- *   trimmed, and for meets of two surfaces.
+ *   trimmed.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
 
@@ -6039,6 +6041,26 @@ NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face 
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
                                             const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of the first: curves
+ * in the domain of the second surface are cut where they cross the loops, and all curves of a branch with them. Both cuts
+ * may be made in any order.
+ * \param[in] meet of two surfaces, the second one being that of the face, or one with the same parameters.
+ * \param[in] face a face.
+ * \param[out] out the new meet.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE if the meet is of one surface or of a model.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face,
+                                              nurbs_meet **out);
+
+/** \brief nurbs_meet_trim_second() as a call that can be watched and ended.
+ * \param[in] meet,face as for nurbs_meet_trim_second().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_meet_trim_second(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_trim_second_with(const nurbs_meet *meet, const nurbs_face *face,
+                                                   const nurbs_call_options *call, nurbs_meet **out);
 /** @} */
 
 /** \defgroup edit Weights and control points

@@ -93,6 +93,25 @@ void look_at(const nurbs_meet *found) {
     }
 }
 
+// What lies in a face of each: branches lie in the domains that they lay in.
+void look_at_parts(const nurbs_meet *found, const nurbs *a, const nurbs *b, const nurbs_call_options *call) {
+    for (const bool second : {false, true}) {
+        nurbs_face *face = nullptr;
+        nurbs_meet *part = nullptr;
+        if (!FUZZ_OK(nurbs_face_create(second ? b : a, 0, nullptr, nullptr, nullptr, nullptr, 1e-6, 0,
+                                       nullptr, &face))) {
+            continue;
+        }
+        if (!second ? FUZZ_OK(nurbs_meet_trim_with(found, face, call, &part))
+            : call  ? FUZZ_OK(nurbs_meet_trim_second_with(found, face, call, &part))
+                    : FUZZ_OK(nurbs_meet_trim_second(found, face, &part))) {
+            look_at(part);
+            nurbs_meet_destroy(part);
+        }
+        nurbs_face_destroy(face);
+    }
+}
+
 void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t work) {
     nurbs_call_options call;
     FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
@@ -100,6 +119,7 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
     nurbs_meet *found = nullptr;
     if (FUZZ_OK(nurbs_surface_intersections_with(a, b, tolerance, &call, &found))) {
         look_at(found);
+        look_at_parts(found, a, b, work % 2 == 0 ? &call : nullptr);
         nurbs_meet_destroy(found);
     } else {
         FUZZ_REQUIRE(found == nullptr);

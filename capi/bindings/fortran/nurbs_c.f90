@@ -3297,6 +3297,23 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_meet_trim_with
+        !> What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of
+        !> the first: curves in the domain of the second surface are cut where they cross the loops, and all
+        !> curves of a branch with them.
+        function nurbs_meet_trim_second(meet, face, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet, face
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_meet_trim_second
+        !> nurbs_meet_trim_second() as a call that can be watched and ended.
+        function nurbs_meet_trim_second_with(meet, face, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet, face
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_meet_trim_second_with
         ! --- Weights and control points
         !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
         !> away from it if the distance is negative.

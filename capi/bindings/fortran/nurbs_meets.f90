@@ -8,10 +8,10 @@ module nurbs_meets
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
         nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_meet_counts, nurbs_meet_branches, &
         nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, nurbs_meet_nodes_second, nurbs_meet_ways, &
-        nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, nurbs_surface_sections_with, &
-        nurbs_surface_contours_with, nurbs_surface_reflections_with, nurbs_surface_level_with, &
-        nurbs_surface_level_curves_with, nurbs_surface_intersections_with, nurbs_model_sections_with, &
-        nurbs_meet_trim_with
+        nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, nurbs_meet_trim_second, &
+        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
+        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_surface_intersections_with, &
+        nurbs_model_sections_with, nurbs_meet_trim_with, nurbs_meet_trim_second_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -25,7 +25,7 @@ module nurbs_meets
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
         procedure :: sections, contours, reflections, level, level_curves, surfaces, counts, branches, branch
-        procedure :: branch_second, nodes, nodes_second, ways, faces, joints, model_sections, trimmed
+        procedure :: branch_second, nodes, nodes_second, ways, faces, joints, model_sections, trimmed, trimmed_second
     end type nurbs_meet
 
 contains
@@ -378,4 +378,22 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine trimmed
+
+    !> What of the branches of two surfaces lies in a face of the second one.
+    subroutine trimmed_second(this, meet, face, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_meet), intent(in) :: meet
+        class(nurbs_face), intent(in) :: face
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_meet_trim_second_with(meet%handle, face%handle, watched(call), made)
+        else
+            code = nurbs_meet_trim_second(meet%handle, face%handle, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine trimmed_second
 end module nurbs_meets

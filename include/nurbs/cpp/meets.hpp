@@ -325,6 +325,16 @@ public:
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_meet_trim_with, meet.get(), face.get(), watch.get());
     }
+    /// What of the branches of two surfaces lies in a face of the second one.
+    [[nodiscard]] static Returned<Meet> trimmed_second(const Meet &meet, const Face &face) {
+        return detail::made<Meet>(nurbs_meet_trim_second, meet.get(), face.get());
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> trimmed_second(const Meet &meet, const Face &face,
+                                                       const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_meet_trim_second_with, meet.get(), face.get(), watch.get());
+    }
 };
 
 } // namespace NURBS_CPP_POLICY

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace nrb::intersect {
@@ -56,6 +57,8 @@ struct Meet {
     std::vector<MeetWay> ways; // of arranged()
     bool complete = true;      // no node is undecided
     bool of_two = false;       // surfaces: branches and nodes are on a second one, too
+    // Of each of two surfaces: the domains of axes that are periodic, on which branches may run into neighbouring periods.
+    std::array<std::array<std::optional<Interval>, 2>, 2> periodic{};
 
     // That of other levels.
     void append(Meet other);

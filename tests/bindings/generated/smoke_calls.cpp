@@ -971,6 +971,13 @@ void data(const Inputs &in) {
         const auto found = n::Meet::trimmed(in.meet, in.face);
         show("out", found);
     }
+    {
+        begin("meet_trim_second");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
+        const auto found = n::Meet::trimmed_second(crossing, in.face);
+        show("out", found);
+    }
     by_hand("mesh_options_init");
     {
         begin("mesh_surface");
@@ -1494,6 +1501,13 @@ void data(const Inputs &in) {
     {
         begin("meet_trim_with");
         const auto found = n::Meet::trimmed(in.meet, in.face, watched());
+        show("out", found);
+    }
+    {
+        begin("meet_trim_second_with");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
+        const auto found = n::Meet::trimmed_second(crossing, in.face, watched());
         show("out", found);
     }
     {

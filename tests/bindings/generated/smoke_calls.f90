@@ -1937,6 +1937,17 @@ contains
             call found%trimmed(meet=meet, face=face)
             call show('out', found)
         end block
+        call begin('meet_trim_second')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: crossing
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
+            call found%trimmed_second(meet=crossing, face=face)
+            call show('out', found)
+        end block
         call by_hand('mesh_options_init')
         call begin('mesh_surface')
         block
@@ -2759,6 +2770,18 @@ contains
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
             call found%trimmed(meet=meet, face=face, call=watching)
+            call show('out', found)
+        end block
+        call begin('meet_trim_second_with')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: crossing
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
+            call found%trimmed_second(meet=crossing, face=face, call=watching)
             call show('out', found)
         end block
         call begin('mesh_surface_with')

@@ -1628,6 +1628,20 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::trimmed(&given.meet, &given.face)?;
         show("out", &found);
     }
+    begin("meet_trim_second");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
+        let found = Meet::trimmed_second(&crossing, &given.face)?;
+        show("out", &found);
+    }
     by_hand("mesh_options_init");
     begin("mesh_surface");
     {
@@ -2432,6 +2446,21 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &given.face,
             &mut Call::new().progress(|_| true),
         )?;
+        show("out", &found);
+    }
+    begin("meet_trim_second_with");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
+        let found =
+            Meet::trimmed_second_with(&crossing, &given.face, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     begin("mesh_surface_with");

@@ -224,3 +224,7 @@ class Meet:
     def trim(self: _Meet, face: Face, *, progress: Progress = None, work: Optional[int] = None) -> _Meet:
         """What of the branches lies in a face of the surface that they are on."""
         return self._made(watched(lib.nurbs_meet_trim, progress, work), self._handle, face._handle)
+
+    def trim_second(self: _Meet, face: Face, *, progress: Progress = None, work: Optional[int] = None) -> _Meet:
+        """What of the branches of two surfaces lies in a face of the second one."""
+        return self._made(watched(lib.nurbs_meet_trim_second, progress, work), self._handle, face._handle)

@@ -290,6 +290,8 @@ PROTOTYPES = {
     "nurbs_meet_joints": "i plppppp",
     "nurbs_meet_trim": "i ppp",
     "nurbs_meet_trim_with": "i pppp",
+    "nurbs_meet_trim_second": "i ppp",
+    "nurbs_meet_trim_second_with": "i pppp",
     "nurbs_pull_weight": "i plpdpp",
     "nurbs_pull_weights": "i plppdpp",
     "nurbs_set_weights": "i plppp",

@@ -493,4 +493,16 @@ impl Meet {
     pub fn trimmed_with(meet: &Meet, face: &Face, call: &mut Call) -> Result<Meet> {
         Meet::made(|out| unsafe { sys::nurbs_meet_trim_with(meet.raw(), face.raw(), call.options(), out) })
     }
+
+    /// What of the branches of two surfaces lies in a face of the second one.
+    pub fn trimmed_second(meet: &Meet, face: &Face) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_meet_trim_second(meet.raw(), face.raw(), out) })
+    }
+
+    /// The same as `trimmed_second`; it can be watched and stopped.
+    pub fn trimmed_second_with(meet: &Meet, face: &Face, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_meet_trim_second_with(meet.raw(), face.raw(), call.options(), out)
+        })
+    }
 }

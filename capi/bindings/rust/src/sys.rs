@@ -4145,6 +4145,23 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
+    /// What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of the
+    /// first: curves in the domain of the second surface are cut where they cross the loops, and all curves
+    /// of a branch with them.
+    pub fn nurbs_meet_trim_second(
+        meet: *const nurbs_meet,
+        face: *const nurbs_face,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_meet_trim_second() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_meet_trim_second_with(
+        meet: *const nurbs_meet,
+        face: *const nurbs_face,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
     // --- Weights and control points
     /// Changes a weight so that the point at a parameter moves by a distance towards the control point, or
     /// away from it if the distance is negative.

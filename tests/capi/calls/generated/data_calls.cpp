@@ -1036,6 +1036,18 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_trim(in.meet, in.face, &o.meet);
      }},
+    {"meet_trim_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_crossing(in, make_crossing);
+         if (made_crossing.status() != NURBS_OK) {
+             return made_crossing.status();
+         }
+         return nurbs_meet_trim_second(made_crossing, in.face, &o.meet);
+     }},
     {"mesh_options_init",
      [](const Inputs &, Output &) -> nurbs_status {
          nurbs_mesh_options options;
@@ -1827,6 +1839,20 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_meet_trim_with(in.meet, in.face, &call, &o.meet);
+     }},
+    {"meet_trim_second_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_crossing(in, make_crossing);
+         if (made_crossing.status() != NURBS_OK) {
+             return made_crossing.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_meet_trim_second_with(made_crossing, in.face, &call, &o.meet);
      }},
     {"mesh_surface_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
