@@ -7,6 +7,7 @@
 #include "watched.h"
 
 #include "base/tolerance.h"
+#include "face/meets/face_meet.h"
 #include "face/trimmed_meet.h"
 #include "intersect/levels/sections.h"
 #include "intersect/surfaces/surface_surface.h"
@@ -42,6 +43,12 @@ void check_trims(const intersect::Meet &meet, const nurbs_face *face) {
     if (std::ranges::any_of(meet.nodes, is_of_model) || std::ranges::any_of(meet.branches, is_of_model)) {
         fail(Status::incompatible, "meet is of a model, expected one of surfaces or faces");
     }
+}
+
+const face::Face &space_face(const nurbs_face *face, const char *name) {
+    require(face, name);
+    check_dimension(*face->face->surface(), 3, 3);
+    return *face->face;
 }
 
 const intersect::MeetBranch &branch_at(const intersect::Meet &meet, int64_t index) {
@@ -103,6 +110,21 @@ nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, do
     return watched(call, out, [&] { return nurbs_surface_intersections(a, b, tolerance, out); });
 }
 
+nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                      nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const face::Face &first = space_face(a, "a"), &second = space_face(b, "b");
+        check_positive_tolerance(tolerance);
+        give_meet(face::face_intersections(first, second, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                           const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_face_intersections(a, b, tolerance, out); });
+}
+
 nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out) {
     return guard([&] {
         require_out(out);
@@ -142,6 +164,18 @@ nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *l
             put(end_nodes, 2 * i + 1, branches[i].nodes[1]);
             put(loops, i, branches[i].loop);
             put(deviations, i, branches[i].deviation);
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
+
+nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("kinds", kinds, filled), memory("count", count, 1)}, {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(kinds, i, static_cast<int32_t>(branches[i].kind));
         }
         put(count, int64_t{std::ssize(branches)});
     });

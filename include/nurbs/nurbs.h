@@ -5890,6 +5890,35 @@ NURBS_API nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *
 NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
+/** \brief Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the loops of both, as
+ * nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, those with one key (nurbs_face_edge()):
+ * neighbours of a model meet in their edges. Each such edge is a branch EDGE, or CONTACT if the sine of the angle of the tangent
+ * planes is at most 1/256 somewhere along it (nurbs_meet_kinds()): the curve in space is the edge itself, with its degree and weights,
+ * and those in the domains run over the same parameters, on axes that close beyond the domain, too, as curves of loops may. Its
+ * deviation is how far all three are proven to be apart. It ends in nodes BORDER, or, if it closes, in two nodes SEAM.
+ *
+ * What curves of both surfaces have within a room of a shared edge is that edge, and not told again: twice what both faces are off it
+ * (nurbs_face_deviation()) and the tolerance, divided by that sine, or by 1/256 where it is less, but no farther than a 16th of the size
+ * of the edge for that; so is what is no longer than 16 times the room and begins no farther from it. For that surfaces are
+ * continued beyond the ends of their domains, where borders do cross. Faces that are smooth at a shared edge have a node UNDECIDED
+ * there in general, as surfaces that touch, and so have faces that lie on one surface.
+ * \param[in] a,b faces in space.
+ * \param[in] tolerance > 0: the largest distance of the curves from the common points.
+ * \param[out] out the new meet, all of it of level 0, on the surfaces of a and of b.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE, _NOT_CONVERGED.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                                nurbs_meet **out);
+
+/** \brief nurbs_face_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] a,b,tolerance as for nurbs_face_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_face_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                                     const nurbs_call_options *call, nurbs_meet **out);
+
 /** \brief Another handle on the same meet, in constant time.
  * \param[in] meet a meet.
  * \param[out] out the new handle.
@@ -5929,7 +5958,24 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
                                            int64_t *end_nodes, int64_t *loops, double *deviations,
                                            int64_t *count);
 
-/** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
+/** \name Kinds of branches
+ * @{ */
+#define NURBS_BRANCH_CROSSING 1 /**< what surfaces, or a surface and a plane, have in common */
+#define NURBS_BRANCH_EDGE 2     /**< an edge that two faces share */
+#define NURBS_BRANCH_CONTACT 3  /**< one at which both faces have the same tangent planes, somewhere at least */
+/** @} */
+
+/** \brief What the branches of a meet are.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the output: 0, or at least the number of branches.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each; others than CROSSING in meets of faces and models only.
+ * \param[out] count or NULL: number of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count);
+
+/** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space. Those of edges that
+ * faces share have the degree and the parameters of these.
  * \param[in] meet a meet.
  * \param[in] index 0-based.
  * \param[out] space the curve in space.

@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace nrb::face {
@@ -27,8 +28,8 @@ using intersect::NodeKind;
 class Trimming {
 public:
     // apart: what runs along the border is in branches of its own.
-    Trimming(const Face &face, const Meet &meet, size_t surface, bool apart)
-        : face_(face), meet_(meet), surface_(surface), border_(face), apart_(apart) {
+    Trimming(const Face &face, const Meet &meet, size_t surface, bool apart, const PartsOfBranches &left_out)
+        : face_(face), meet_(meet), surface_(surface), border_(face), apart_(apart), left_out_(left_out) {
         result_.of_two = meet.of_two;
         result_.periodic = meet.periodic;
     }
@@ -48,8 +49,21 @@ public:
     }
 
 private:
+    // What is beyond the domain, where meets of a continued surface may be, is outside.
     [[nodiscard]] bool is_inside(const Point2 &at) const {
-        return face_.trims().side(face_.covering().in_domain(at)) >= 0;
+        return !is_beyond({Interval{at[0], at[0]}, Interval{at[1], at[1]}}) &&
+               face_.trims().side(face_.covering().in_domain(at)) >= 0;
+    }
+    [[nodiscard]] bool is_beyond(const std::array<Interval, 2> &range) const noexcept {
+        for (const int k : {0, 1}) {
+            const auto &[lower, upper] = range[static_cast<size_t>(k)];
+            const Interval domain = face_.covering().domain(k);
+            const double room = 1e-9 * face_.covering().period(k);
+            if (!face_.covering().closed(k) && (upper < domain.lower - room || lower > domain.upper + room)) {
+                return true;
+            }
+        }
+        return false;
     }
     [[nodiscard]] bool is_inside(const MeetBranch &branch, double t) const {
         return is_inside(place_on(*curve_of(branch), t));
@@ -57,6 +71,9 @@ private:
     // All over. Where the surface closes the part may be in its copies.
     [[nodiscard]] bool is_outside(const std::array<Interval, 2> &range) const {
         const Point2 lower{range[0].lower, range[1].lower}, upper{range[0].upper, range[1].upper};
+        if (is_beyond(range)) {
+            return true;
+        }
         const Point2 middle{lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
         const auto is_cut = [&](const Point2 &move) {
             return face_.trims().cuts(moved(lower, move), moved(upper, move));
@@ -142,6 +159,10 @@ private:
     };
     Crossings crossings(const MeetBranch &branch) {
         Crossings found;
+        for (const Interval &part : parts_left_out(branch)) {
+            found.at.push_back({part.lower, {}});
+            found.at.push_back({part.upper, {}});
+        }
         border_.visit_near(*curve_of(branch), [&](const Spline &curve, const TrimPiece &piece) {
             const intersect::PairHits hits = intersect::curve_curve(*curve_of(branch), curve, border_.room());
             for (const intersect::PairHit &hit : hits.list) {
@@ -165,6 +186,11 @@ private:
         return found;
     }
 
+    [[nodiscard]] std::span<const Interval> parts_left_out(const MeetBranch &branch) const noexcept {
+        const auto number = static_cast<size_t>(&branch - meet_.branches.data());
+        return left_out_.empty() ? std::span<const Interval>() : left_out_[number];
+    }
+
     // Kept of a branch.
     struct KeptPart {
         Interval range;
@@ -181,7 +207,10 @@ private:
             const auto along = std::ranges::find_if(found.along, [&](const Passage &passage) {
                 return passage.range.lower <= middle && middle <= passage.range.upper;
             });
-            if (along == found.along.end() && !is_inside(branch, middle)) {
+            const bool left_out = std::ranges::any_of(parts_left_out(branch), [middle](const Interval &part) {
+                return part.lower <= middle && middle <= part.upper;
+            });
+            if (left_out || (along == found.along.end() && !is_inside(branch, middle))) {
                 continue;
             }
             const Course course = along == found.along.end() || !apart_ ? Course{} : along->course;
@@ -247,9 +276,13 @@ private:
         std::array<std::vector<BorderPlace>, 2> places;
         if (!whole || !closed) {
             const auto end = [&](double t, double of_branch, size_t i) {
-                const int64_t node = t != of_branch ? node_on(branch, t, NodeKind::border)
-                                     : closed       ? node_on(branch, t, NodeKind::seam)
-                                                    : kept(branch.nodes[i]);
+                const bool left = std::ranges::any_of(parts_left_out(branch), [t](const Interval &out) {
+                    return t == out.lower || t == out.upper;
+                });
+                const int64_t node = t != of_branch
+                                         ? node_on(branch, t, left ? NodeKind::edge : NodeKind::border)
+                                     : closed ? node_on(branch, t, NodeKind::seam)
+                                              : kept(branch.nodes[i]);
                 places[i] = places_at(node, branch, t, found);
                 return node;
             };
@@ -313,6 +346,7 @@ private:
     size_t surface_; // that of the face, of two
     BorderPieces border_;
     bool apart_;
+    const PartsOfBranches &left_out_;
     std::vector<int64_t> new_node_;
     std::set<int64_t> cut_loops_;
     Meet result_;
@@ -322,12 +356,12 @@ private:
 
 } // namespace
 
-Meet trimmed(const Face &face, const Meet &meet, size_t surface) {
-    return Trimming(face, meet, surface, false).run().meet;
+Meet trimmed(const Face &face, const Meet &meet, size_t surface, const PartsOfBranches &left_out) {
+    return Trimming(face, meet, surface, false, left_out).run().meet;
 }
 
-BorderedMeet trimmed_with_places(const Face &face, const Meet &meet, size_t surface) {
-    return Trimming(face, meet, surface, true).run();
+BorderedMeet trimmed_with_places(const Face &face, const Meet &meet) {
+    return Trimming(face, meet, 0, true, {}).run();
 }
 
 } // namespace nrb::face

@@ -32,6 +32,12 @@ struct MeetNode {
     std::array<Interval, 2> range_second{};
 };
 
+enum class BranchKind : int32_t {
+    crossing = 1, // what two surfaces, or a surface and a plane, have in common
+    edge = 2,     // an edge that two faces have in common
+    contact = 3,  // one at which both have the same tangent planes, somewhere at least
+};
+
 // Curves with common knots, in space and in the parameter domain.
 struct MeetBranch {
     int64_t level;
@@ -41,6 +47,7 @@ struct MeetBranch {
     int64_t loop;                     // the closed way that it is part of, or all of; -1: of none
     int64_t face = -1, instance = -1; // of a model
     SplinePtr on_second = nullptr;    // in the domain of the other surface, of two
+    BranchKind kind = BranchKind::crossing;
 };
 
 // Branches one after the other, each of which goes on where the one before ends.
@@ -62,6 +69,8 @@ struct Meet {
 
     // That of other levels.
     void append(Meet other);
+    // Nodes that no branch has any more go, but for those that tell of parts; the others by their levels. Undecided ones are seen.
+    void tidy_nodes();
 };
 
 // With its ways, of which the branches follow each other, those of a level by their first branches.
