@@ -5891,7 +5891,7 @@ NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nu
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
 /** \brief Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the loops of both, as
- * nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, those with one key (nurbs_face_edge()):
+ * nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, with one key (nurbs_face_edge()) and in one place:
  * neighbours of a model meet in their edges. Each such edge is a branch EDGE, or CONTACT if the sine of the angle of the tangent
  * planes is at most 1/256 somewhere along it (nurbs_meet_kinds()): the curve in space is the edge itself, with its degree and weights,
  * and those in the domains run over the same parameters, on axes that close beyond the domain, too, as curves of loops may. Its
@@ -5916,8 +5916,9 @@ NURBS_API nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs
  * \param[out] out the new meet.
  * \return as for nurbs_face_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
-NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const nurbs_face *b, double tolerance,
-                                                     const nurbs_call_options *call, nurbs_meet **out);
+NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const nurbs_face *b,
+                                                     double tolerance, const nurbs_call_options *call,
+                                                     nurbs_meet **out);
 
 /** \brief Another handle on the same meet, in constant time.
  * \param[in] meet a meet.
@@ -5962,7 +5963,8 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
  * @{ */
 #define NURBS_BRANCH_CROSSING 1 /**< what surfaces, or a surface and a plane, have in common */
 #define NURBS_BRANCH_EDGE 2     /**< an edge that two faces share */
-#define NURBS_BRANCH_CONTACT 3  /**< one at which both faces have the same tangent planes, somewhere at least */
+#define NURBS_BRANCH_CONTACT                                                                                 \
+    3 /**< one at which both faces have the same tangent planes, somewhere at least */
 /** @} */
 
 /** \brief What the branches of a meet are.

@@ -315,6 +315,9 @@ class Sections(unittest.TestCase):
         for trim, length in ((lambda m: m.trim(on_floor), 2), (lambda m: m.trim_second(on_wall), 2),
                              (lambda m: m.trim(on_floor).trim_second(on_wall, work=10**9), 1)):
             near(trim(whole).branch(0).space.length().value, length, by=1e-8)
+        both = on_floor.meet(on_wall, 1e-9, work=10**9)
+        near(both.branch(0).space.length().value, 1, by=1e-8)
+        self.assertEqual(both.kinds.tolist(), [nurbs.NURBS_BRANCH_CROSSING])
 
     def test_contours(self):
         ball = nurbs.sphere(2)

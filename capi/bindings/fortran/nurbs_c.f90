@@ -3188,6 +3188,27 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_intersections_with
+        !> Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of
+        !> the loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that
+        !> they share, with one key (nurbs_face_edge()) and in one place: neighbours of a model meet in their
+        !> edges.
+        function nurbs_face_intersections(a, b, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_intersections
+        !> nurbs_face_intersections() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_face_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_intersections_with
         !> Another handle on the same meet, in constant time.
         function nurbs_meet_clone(meet, out) bind(c) result(r)
             import
@@ -3217,6 +3238,15 @@ module nurbs_c
             real(c_double), intent(inout), optional :: deviations(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_branches
+        !> What the branches of a meet are.
+        function nurbs_meet_kinds(meet, cap, kinds, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int32_t), intent(inout), optional :: kinds(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_kinds
         !> A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
         function nurbs_meet_branch(meet, index, space, on_surface) bind(c) result(r)
             import

@@ -6,12 +6,13 @@ module nurbs_meets
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
-        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_meet_counts, nurbs_meet_branches, &
-        nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, nurbs_meet_nodes_second, nurbs_meet_ways, &
-        nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, nurbs_meet_trim_second, &
-        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
-        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_surface_intersections_with, &
-        nurbs_model_sections_with, nurbs_meet_trim_with, nurbs_meet_trim_second_with
+        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_face_intersections, nurbs_meet_counts, &
+        nurbs_meet_branches, nurbs_meet_kinds, nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, &
+        nurbs_meet_nodes_second, nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, &
+        nurbs_meet_trim, nurbs_meet_trim_second, nurbs_surface_sections_with, nurbs_surface_contours_with, &
+        nurbs_surface_reflections_with, nurbs_surface_level_with, nurbs_surface_level_curves_with, &
+        nurbs_surface_intersections_with, nurbs_face_intersections_with, nurbs_model_sections_with, &
+        nurbs_meet_trim_with, nurbs_meet_trim_second_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -24,8 +25,9 @@ module nurbs_meets
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, reflections, level, level_curves, surfaces, counts, branches, branch
-        procedure :: branch_second, nodes, nodes_second, ways, faces, joints, model_sections, trimmed, trimmed_second
+        procedure :: sections, contours, reflections, level, level_curves, surfaces, of_faces, counts, branches, kinds
+        procedure :: branch, branch_second, nodes, nodes_second, ways, faces, joints, model_sections, trimmed
+        procedure :: trimmed_second
     end type nurbs_meet
 
 contains
@@ -161,6 +163,24 @@ contains
         call settle(code, status)
     end subroutine surfaces
 
+    !> Where two faces meet: in the edges that they share, and in curves inside of both.
+    subroutine of_faces(this, a, b, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_face), intent(in) :: a, b
+        real(c_double), intent(in) :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_face_intersections_with(a%handle, b%handle, tolerance, watched(call), made)
+        else
+            code = nurbs_face_intersections(a%handle, b%handle, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_faces
+
     !> How much it holds.
     subroutine counts(this, branches, nodes, complete, status)
         class(nurbs_meet), intent(in) :: this
@@ -197,6 +217,21 @@ contains
         end if
         call settle(code, status)
     end subroutine branches
+
+    !> What the branches are, one of the NURBS_BRANCH_ constants each.
+    subroutine kinds(this, kinds, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_kinds(this%handle, 0_c_int64_t, count=n)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (kinds(n))
+        if (code == NURBS_OK) code = nurbs_meet_kinds(this%handle, n, kinds)
+        call settle(code, status)
+    end subroutine kinds
 
     !> The curves of a branch, with common knots: in space, and in the parameter domain.
     subroutine branch(this, index, space, on_surface, status)

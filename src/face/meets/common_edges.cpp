@@ -41,6 +41,36 @@ Keys keys_of(const Face &face) {
     return keys;
 }
 
+// The largest coordinate, and the largest side of the box, of control points.
+double size_of(const Spline &curve) noexcept {
+    double size = 0;
+    for (int64_t i = 0; i < curve.point_count(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            size = std::max(size, std::abs(curve.coordinate(i, c)));
+        }
+    }
+    return size;
+}
+double extent_of(const Spline &curve) noexcept {
+    double extent = 0;
+    for (int c = 0; c < 3; ++c) {
+        double lower = infinity, upper = -infinity;
+        for (int64_t i = 0; i < curve.point_count(); ++i) {
+            lower = std::min(lower, curve.coordinate(i, c));
+            upper = std::max(upper, curve.coordinate(i, c));
+        }
+        extent = std::max(extent, upper - lower);
+    }
+    return extent;
+}
+
+// Faces that do not know each other may have equal keys by chance.
+bool are_one(const Face &a, const Coedge &on_a, const Face &b, const Coedge &on_b) {
+    const SplinePtr one = edge_of(a, on_a), other = edge_of(b, on_b);
+    const double room = a.tolerance() + b.tolerance() + 0x1p-40 * size_of(*one);
+    return one == other || distance_beyond(one, other, room) == 0;
+}
+
 // A curve in the domain of a face over the parameters of an edge.
 struct UnderEdge {
     SplinePtr curve;
@@ -144,29 +174,6 @@ bool is_closed(const Spline &edge, double tolerance) {
     return length(difference(edge, domain.lower, domain.upper)) <= tolerance;
 }
 
-// The largest coordinate, and the largest side of the box, of control points.
-double size_of(const Spline &curve) noexcept {
-    double size = 0;
-    for (int64_t i = 0; i < curve.point_count(); ++i) {
-        for (int c = 0; c < 3; ++c) {
-            size = std::max(size, std::abs(curve.coordinate(i, c)));
-        }
-    }
-    return size;
-}
-double extent_of(const Spline &curve) noexcept {
-    double extent = 0;
-    for (int c = 0; c < 3; ++c) {
-        double lower = infinity, upper = -infinity;
-        for (int64_t i = 0; i < curve.point_count(); ++i) {
-            lower = std::min(lower, curve.coordinate(i, c));
-            upper = std::max(upper, curve.coordinate(i, c));
-        }
-        extent = std::max(extent, upper - lower);
-    }
-    return extent;
-}
-
 CommonEdge common_edge(const Face &a, const Coedge &on_a, const Face &b, const Coedge &on_b,
                        double tolerance) {
     const SplinePtr own = edge_of(a, on_a),
@@ -204,7 +211,8 @@ std::vector<CommonEdge> common_edges(const Face &a, const Face &b, double tolera
     std::vector<CommonEdge> common;
     const Keys own = keys_of(a), others = keys_of(b);
     for (const auto &[key, on_a] : own) {
-        if (const auto on_b = others.find(key); on_b != others.end()) {
+        const auto on_b = others.find(key);
+        if (on_b != others.end() && are_one(a, *on_a, b, *on_b->second)) {
             common.push_back(common_edge(a, *on_a, b, *on_b->second, tolerance));
         }
     }

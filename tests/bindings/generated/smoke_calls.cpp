@@ -926,6 +926,18 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("face_intersections");
+        const n::Spline moved_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25}, {}, 0u);
+        const n::Face moved_face = n::Face::create(in.surface, {1}, std::vector<n::Spline>{moved_outline}, {}, {}, 0.001, 0u);
+        const auto found = n::Meet::of_faces(in.face, moved_face, 0.1);
+        show("out", found);
+    }
+    {
+        begin("meet_kinds");
+        const auto found = in.meet.kinds();
+        show("kinds", found);
+    }
+    {
         begin("model_sections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -1487,6 +1499,13 @@ void data(const Inputs &in) {
         begin("surface_intersections_with");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
         const auto found = n::Meet::surfaces(wall, in.surface, 0.1, watched());
+        show("out", found);
+    }
+    {
+        begin("face_intersections_with");
+        const n::Spline moved_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25}, {}, 0u);
+        const n::Face moved_face = n::Face::create(in.surface, {1}, std::vector<n::Spline>{moved_outline}, {}, {}, 0.001, 0u);
+        const auto found = n::Meet::of_faces(in.face, moved_face, 0.1, watched());
         show("out", found);
     }
     {

@@ -1865,6 +1865,26 @@ contains
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0)
             call show('out', found)
         end block
+        call begin('face_intersections')
+        block
+            type(nurbs_spline) :: moved_outline
+            type(nurbs_face) :: moved_face
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_meet) :: found
+            call moved_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
+                points=reshape([0.25d0, 1.25d0, 0.75d0, 1.25d0, 0.5d0, 2.25d0, 0.25d0, 1.25d0], [4, 2], order=[2, 1]), &
+                flags=0)
+            curves_given(1) = moved_outline
+            call moved_face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
+            call found%of_faces(a=face, b=moved_face, tolerance=0.1d0)
+            call show('out', found)
+        end block
+        call begin('meet_kinds')
+        block
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            call meet%kinds(kinds=kinds_found)
+            call show('kinds', kinds_found)
+        end block
         call begin('model_sections')
         block
             type(nurbs_spline) :: sphere
@@ -2747,6 +2767,21 @@ contains
             call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
                 0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_intersections_with')
+        block
+            type(nurbs_spline) :: moved_outline
+            type(nurbs_face) :: moved_face
+            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call moved_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
+                points=reshape([0.25d0, 1.25d0, 0.75d0, 1.25d0, 0.5d0, 2.25d0, 0.25d0, 1.25d0], [4, 2], order=[2, 1]), &
+                flags=0)
+            curves_given(1) = moved_outline
+            call moved_face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
+            call found%of_faces(a=face, b=moved_face, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('model_sections_with')

@@ -1577,6 +1577,34 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::surfaces(&wall, &given.surface, 0.1)?;
         show("out", &found);
     }
+    begin("face_intersections");
+    {
+        let moved_outline = Spline::create(
+            &[1],
+            &[4],
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            2,
+            &[0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25],
+            None,
+            0,
+        )?;
+        let moved_face = Face::create(
+            &given.surface,
+            &[1],
+            &[Some(&moved_outline)],
+            &[],
+            &[],
+            0.001,
+            0,
+        )?;
+        let found = Meet::of_faces(&given.face, &moved_face, 0.1)?;
+        show("out", &found);
+    }
+    begin("meet_kinds");
+    {
+        let found = given.meet.kinds()?;
+        show("kinds", &found);
+    }
     begin("model_sections");
     {
         let sphere = Spline::sphere(
@@ -2414,6 +2442,34 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::surfaces_with(
             &wall,
             &given.surface,
+            0.1,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_intersections_with");
+    {
+        let moved_outline = Spline::create(
+            &[1],
+            &[4],
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            2,
+            &[0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25],
+            None,
+            0,
+        )?;
+        let moved_face = Face::create(
+            &given.surface,
+            &[1],
+            &[Some(&moved_outline)],
+            &[],
+            &[],
+            0.001,
+            0,
+        )?;
+        let found = Meet::of_faces_with(
+            &given.face,
+            &moved_face,
             0.1,
             &mut Call::new().progress(|_| true),
         )?;

@@ -173,6 +173,13 @@ class Meet:
         return MeetBranch(Spline._owner(space.value), on_surface)
 
     @property
+    def kinds(self) -> Int32s:
+        """Of each branch a NURBS_BRANCH_ constant (n,)."""
+        found = numpy.empty(self.counts.branches, numpy.int32)
+        call(lib.nurbs_meet_kinds, self._handle, found.size, found.ctypes.data, None)
+        return found
+
+    @property
     def nodes(self) -> MeetNodes:
         """Where branches end, and where there may be more than they tell."""
         n = self.counts.nodes

@@ -308,6 +308,18 @@ impl Meet {
         })
     }
 
+    /// Where two faces meet: in the edges that they share, and in curves inside of both.
+    pub fn of_faces(a: &Face, b: &Face, tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_face_intersections(a.raw(), b.raw(), tolerance, out) })
+    }
+
+    /// The same as `of_faces`; it can be watched and stopped.
+    pub fn of_faces_with(a: &Face, b: &Face, tolerance: f64, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_face_intersections_with(a.raw(), b.raw(), tolerance, call.options(), out)
+        })
+    }
+
     /// How much it holds.
     pub fn counts(&self) -> Result<MeetCounts> {
         let mut branches = 0;
@@ -338,6 +350,17 @@ impl Meet {
             &mut count,
         ))?;
         Ok(MeetBranches { levels, end_nodes, loops, deviations })
+    }
+
+    /// What the branches are, one of the `NURBS_BRANCH_` constants each.
+    pub fn kinds(&self) -> Result<Vec<i32>> {
+        let fill = |cap, kinds, count| unsafe { sys::nurbs_meet_kinds(self.raw(), cap, kinds, count) };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut kinds = vec![0; n];
+        check(fill(count, kinds.as_mut_ptr(), &mut count))?;
+        Ok(kinds)
     }
 
     /// The curves of a branch, with common knots: in space, and in the parameter domain.

@@ -946,6 +946,14 @@ pub const NURBS_REFLECTION_ALONG: i32 = 2;
 /// the same with v = S - eye: seen from the point eye
 pub const NURBS_REFLECTION_FROM: i32 = 3;
 
+// --- Kinds of branches
+/// what surfaces, or a surface and a plane, have in common
+pub const NURBS_BRANCH_CROSSING: i32 = 1;
+/// an edge that two faces share
+pub const NURBS_BRANCH_EDGE: i32 = 2;
+/// one at which both faces have the same tangent planes, somewhere at least
+pub const NURBS_BRANCH_CONTACT: i32 = 3;
+
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point
 pub const NURBS_CONSTRAIN_VALUE: i32 = 0;
@@ -4032,6 +4040,25 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
+    /// Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the
+    /// loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they
+    /// share, with one key (nurbs_face_edge()) and in one place: neighbours of a model meet in their edges.
+    pub fn nurbs_face_intersections(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_face_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_face_intersections_with(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
     /// Another handle on the same meet, in constant time.
     pub fn nurbs_meet_clone(meet: *const nurbs_meet, out: *mut *mut nurbs_meet) -> nurbs_status;
     /// Frees a handle on a meet.
@@ -4057,6 +4084,15 @@ extern "C" {
         end_nodes: *mut i64,
         loops: *mut i64,
         deviations: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// What the branches of a meet are.
+    ///
+    /// May be null: `kinds`, `count`.
+    pub fn nurbs_meet_kinds(
+        meet: *const nurbs_meet,
+        cap: i64,
+        kinds: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
     /// A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.

@@ -997,6 +997,22 @@ const Call group[] = {
          }
          return nurbs_surface_intersections(made_wall, in.surface, 0.1, &o.meet);
      }},
+    {"face_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_moved_outline(in, make_moved_outline);
+         if (made_moved_outline.status() != NURBS_OK) {
+             return made_moved_outline.status();
+         }
+         Made made_moved_face(in, make_moved_face);
+         if (made_moved_face.status() != NURBS_OK) {
+             return made_moved_face.status();
+         }
+         return nurbs_face_intersections(in.face, made_moved_face, 0.1, &o.meet);
+     }},
+    {"meet_kinds",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_kinds(in.meet, 4, o.states, o.spans);
+     }},
     {"model_sections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -1813,6 +1829,20 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_intersections_with(made_wall, in.surface, 0.1, &call, &o.meet);
+     }},
+    {"face_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_moved_outline(in, make_moved_outline);
+         if (made_moved_outline.status() != NURBS_OK) {
+             return made_moved_outline.status();
+         }
+         Made made_moved_face(in, make_moved_face);
+         if (made_moved_face.status() != NURBS_OK) {
+             return made_moved_face.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_intersections_with(in.face, made_moved_face, 0.1, &call, &o.meet);
      }},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
