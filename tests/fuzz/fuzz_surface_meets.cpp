@@ -117,24 +117,25 @@ void look_at_kinds(const nurbs_meet *found) {
 
 // What lies in a face of each, in one after the other and in both at once: branches lie in the domains that they lay in.
 void look_at_parts(const nurbs_meet *found, const nurbs *a, const nurbs *b, double tolerance,
-                   const nurbs_call_options *call) {
+                   const nurbs_call_options &call, bool plain) {
     const Face first = face_of(a), second = face_of(b);
     if (!first || !second) {
         return;
     }
     nurbs_meet *part = nullptr, *both = nullptr;
-    if (FUZZ_OK(nurbs_meet_trim_with(found, first.get(), call, &part))) {
+    if (FUZZ_OK(nurbs_meet_trim_with(found, first.get(), &call, &part))) {
         look_at(part);
-        if (call ? FUZZ_OK(nurbs_meet_trim_second_with(part, second.get(), call, &both))
-                 : FUZZ_OK(nurbs_meet_trim_second(part, second.get(), &both))) {
+        if (plain ? FUZZ_OK(nurbs_meet_trim_second(part, second.get(), &both))
+                  : FUZZ_OK(nurbs_meet_trim_second_with(part, second.get(), &call, &both))) {
             look_at(both);
             nurbs_meet_destroy(both);
         }
         nurbs_meet_destroy(part);
     }
     nurbs_meet *own = nullptr;
-    if (call ? FUZZ_OK(nurbs_face_intersections_with(first.get(), second.get(), tolerance, call, &own))
-             : FUZZ_OK(nurbs_face_intersections(first.get(), second.get(), tolerance, &own))) {
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_face_intersections(first.get(), second.get(), -tolerance, &own)) &&
+                 own == nullptr);
+    if (FUZZ_OK(nurbs_face_intersections_with(first.get(), second.get(), tolerance, &call, &own))) {
         look_at(own);
         look_at_kinds(own);
         nurbs_meet_destroy(own);
@@ -148,7 +149,7 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
     nurbs_meet *found = nullptr;
     if (FUZZ_OK(nurbs_surface_intersections_with(a, b, tolerance, &call, &found))) {
         look_at(found);
-        look_at_parts(found, a, b, tolerance, work % 16 != 0 || work > 100000 ? &call : nullptr);
+        look_at_parts(found, a, b, tolerance, call, work % 16 == 0);
         nurbs_meet_destroy(found);
     } else {
         FUZZ_REQUIRE(found == nullptr);
