@@ -6050,6 +6050,17 @@ NURBS_API nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int6
 NURBS_API nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
                                         int64_t *own_instances, int64_t *count);
 
+/** \brief Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in other meets.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of branches.
+ * \param[out] own_faces [cap] or NULL: the face of the second model, 0-based.
+ * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based (nurbs_model_instances()).
+ * \param[out] count or NULL: number of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_faces_second(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
+                                               int64_t *own_instances, int64_t *count);
+
 /** \brief How ways go on at the nodes of a meet, and on which faces of a model these are.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
@@ -6063,6 +6074,17 @@ NURBS_API nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int
 NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, int64_t *next_nodes,
                                          double *gaps, int64_t *own_faces, int64_t *own_instances,
                                          int64_t *count);
+
+/** \brief On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of nodes.
+ * \param[out] own_faces [cap] or NULL: the face of the second model, 0-based.
+ * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based (nurbs_model_instances()).
+ * \param[out] count or NULL: number of nodes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_joints_second(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
+                                                int64_t *own_instances, int64_t *count);
 
 /** \brief What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes BORDER on them,
  * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed; of a meet of
@@ -8187,6 +8209,43 @@ NURBS_API nurbs_status nurbs_model_sections(const nurbs_model *model, int64_t n,
 NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64_t n, const double *normals,
                                                  const double *offsets, double tolerance,
                                                  const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to ways over the
+ * edges that faces share: the curves of a union, a difference or an intersection, and what collides. On each pair of
+ * faces whose boxes have common points, found in a tree of these, branches and nodes are those of nurbs_face_intersections() of faces
+ * that share no edge; edges of the two models are not taken for each other, so that what lies on one another is a node UNDECIDED.
+ * Curves in space are in the whole. Branches run along n_b x n_a with the outer normals n of the faces (nurbs_model_face()): on a face
+ * of a, seen from outside, the material of b is on their right, and on one of b that of a on their left. Faces that
+ * bound no solid run as the first one of those that hang together by edges.
+ *
+ * Where a branch ends on an edge that two faces of a solid share, or two that bound none, the next one is found on the
+ * other face with the same face of the other model, or, where edges of both cross, with the other face of that; both ends are nodes
+ * EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces and the one given allow, divided by the
+ * sine of the angle, of at least 1/256, between edge and surface. An end on a shared edge for which there is
+ * none is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is joined because it is near alone.
+ *
+ * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a little more than the
+ * face.
+ * \param[in] a,b models; one may be the other one, elsewhere.
+ * \param[in] tolerance > 0: the largest distance of the curves from the common points, in the whole.
+ * \param[out] out the new meet, all of it of level 0; nurbs_meet_faces() and nurbs_meet_joints() tell the faces of a,
+ *   nurbs_meet_faces_second() and nurbs_meet_joints_second() those of b.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _NOT_REPRESENTABLE; _MATRIX if a placement cannot be
+ *   inverted, _TOO_LARGE if there are too many instances.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_intersections(const nurbs_model *a, const nurbs_model *b, double tolerance,
+                                                 nurbs_meet **out);
+
+/** \brief nurbs_model_intersections() as a call that can be watched and ended. At the limit of work what was not looked
+ * at is undecided.
+ * \param[in] a,b,tolerance as for nurbs_model_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_model_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_intersections_with(const nurbs_model *a, const nurbs_model *b,
+                                                      double tolerance, const nurbs_call_options *call,
+                                                      nurbs_meet **out);
 
 /** \brief Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
  * \param[in] model a model.

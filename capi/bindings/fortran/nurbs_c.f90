@@ -3300,6 +3300,15 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
             integer(c_int32_t) :: r
         end function nurbs_meet_faces
+        !> Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in
+        !> other meets.
+        function nurbs_meet_faces_second(meet, cap, own_faces, own_instances, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_faces_second
         !> How ways go on at the nodes of a meet, and on which faces of a model these are.
         function nurbs_meet_joints(meet, cap, next_nodes, gaps, own_faces, own_instances, count) bind(c) &
                 result(r)
@@ -3311,6 +3320,14 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gaps(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_joints
+        !> On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+        function nurbs_meet_joints_second(meet, cap, own_faces, own_instances, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_joints_second
         !> What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
         !> BORDER on them, and the nodes of these parts.
         function nurbs_meet_trim(meet, face, out) bind(c) result(r)
@@ -4511,6 +4528,25 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_sections_with
+        !> Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined
+        !> to ways over the edges that faces share: the curves of a union, a difference or an intersection,
+        !> and what collides.
+        function nurbs_model_intersections(a, b, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_intersections
+        !> nurbs_model_intersections() as a call that can be watched and ended.
+        function nurbs_model_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_intersections_with
         !> Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
         function nurbs_model_area(model, relative_tolerance, area, error) bind(c) result(r)
             import

@@ -309,6 +309,20 @@ public:
         ask(count);
         return found;
     }
+    /// The faces of the second of two models on which the branches are.
+    [[nodiscard]] Returned<MeetFaces> faces_second() const {
+        MeetFaces found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_faces_second, get(), cap, found.faces.data(), found.instances.data(),
+                         &count);
+        };
+        ask(0);
+        found.faces = detail::room<std::int64_t>(count);
+        found.instances = detail::room<std::int64_t>(count);
+        ask(count);
+        return found;
+    }
     /// How ways go on at the nodes, and on which faces of a model these are.
     [[nodiscard]] Returned<MeetJoints> joints() const {
         MeetJoints found{};
@@ -320,6 +334,20 @@ public:
         ask(0);
         found.next_nodes = detail::room<std::int64_t>(count);
         found.gaps = detail::room(count);
+        found.faces = detail::room<std::int64_t>(count);
+        found.instances = detail::room<std::int64_t>(count);
+        ask(count);
+        return found;
+    }
+    /// The faces of the second of two models on which the nodes are.
+    [[nodiscard]] Returned<MeetFaces> joints_second() const {
+        MeetFaces found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_joints_second, get(), cap, found.faces.data(), found.instances.data(),
+                         &count);
+        };
+        ask(0);
         found.faces = detail::room<std::int64_t>(count);
         found.instances = detail::room<std::int64_t>(count);
         ask(count);
@@ -342,6 +370,16 @@ public:
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_model_sections_with, model.get(), n, normals.data(), offsets.data(),
                                   tolerance, watch.get());
+    }
+    /// Where the faces of two models meet, joined to ways over the edges that faces share.
+    [[nodiscard]] static Returned<Meet> of_models(const Model &a, const Model &b, double tolerance) {
+        return detail::made<Meet>(nurbs_model_intersections, a.get(), b.get(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> of_models(const Model &a, const Model &b, double tolerance,
+                                                  const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_model_intersections_with, a.get(), b.get(), tolerance, watch.get());
     }
     /// What of the branches lies in a face of the surface that they are on.
     [[nodiscard]] static Returned<Meet> trimmed(const Meet &meet, const Face &face) {

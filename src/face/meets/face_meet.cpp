@@ -199,18 +199,25 @@ void add_edge(const Face &a, const Face &b, const CommonEdge &edge, Meet &meet) 
 Meet face_intersections(const Face &a, const Face &b, double tolerance) {
     const LimitedSearch whole; // by a limit of the caller
     const std::vector<CommonEdge> edges = common_edges(a, b, tolerance);
-    const SplinePtr ground_a = ground_of(a, !edges.empty()), ground_b = ground_of(b, !edges.empty());
+    if (edges.empty()) {
+        return strangers_intersections(a, b, tolerance);
+    }
+    const SplinePtr ground_a = ground_of(a, true), ground_b = ground_of(b, true);
     Meet all = intersect::surface_intersections(*ground_a, *ground_b, tolerance);
     settle_places_on_edges(*ground_a, edges, all);
     Meet found = trimmed(b, trimmed(a, all, 0, parts_along(all, edges)), 1);
-    if (!edges.empty()) {
-        drop_what_is_of_edges(found, edges);
-        IntoDomains(a, b).move(found);
-    }
+    drop_what_is_of_edges(found, edges);
+    IntoDomains(a, b).move(found);
     for (const CommonEdge &edge : edges) {
         add_edge(a, b, edge, found);
     }
     return found;
+}
+
+Meet strangers_intersections(const Face &a, const Face &b, double tolerance) {
+    const LimitedSearch whole;
+    const SplinePtr ground_a = ground_of(a, false), ground_b = ground_of(b, false);
+    return trimmed(b, trimmed(a, intersect::surface_intersections(*ground_a, *ground_b, tolerance)), 1);
 }
 
 } // namespace nrb::face

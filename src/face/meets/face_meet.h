@@ -11,4 +11,7 @@ namespace nrb::face {
 // the edge. Preconditions: surfaces in space; tolerance > 0, of the curves.
 intersect::Meet face_intersections(const Face &a, const Face &b, double tolerance);
 
+// Of faces of which no edge of the one is known to be one of the other.
+intersect::Meet strangers_intersections(const Face &a, const Face &b, double tolerance);
+
 } // namespace nrb::face

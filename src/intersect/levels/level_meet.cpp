@@ -152,4 +152,15 @@ Meet arranged(Meet meet) {
     return Ways(std::move(meet)).run();
 }
 
+Meet with_loops(Meet meet) {
+    int64_t loops = 0;
+    for (const MeetWay &way : meet.ways) {
+        for (int64_t i = 0; way.closed && i < way.count; ++i) {
+            meet.branches[static_cast<size_t>(way.first + i)].loop = loops;
+        }
+        loops += way.closed ? 1 : 0;
+    }
+    return meet;
+}
+
 } // namespace nrb::intersect

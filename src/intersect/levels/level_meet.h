@@ -30,6 +30,7 @@ struct MeetNode {
     double gap = 0;                   // in space, to the node that goes on
     std::array<double, 2> at_second{}; // the same on the other surface, of two
     std::array<Interval, 2> range_second{};
+    int64_t second_face = -1, second_instance = -1; // of the other model, of two
 };
 
 enum class BranchKind : int32_t {
@@ -48,6 +49,7 @@ struct MeetBranch {
     int64_t face = -1, instance = -1; // of a model
     SplinePtr on_second = nullptr;    // in the domain of the other surface, of two
     BranchKind kind = BranchKind::crossing;
+    int64_t second_face = -1, second_instance = -1; // of the other model, of two
 };
 
 // Branches one after the other, each of which goes on where the one before ends.
@@ -75,5 +77,8 @@ struct Meet {
 
 // With its ways, of which the branches follow each other, those of a level by their first branches.
 Meet arranged(Meet meet);
+
+// With the loops that its ways are.
+Meet with_loops(Meet meet);
 
 } // namespace nrb::intersect

@@ -76,17 +76,6 @@ FaceSections cut_faces(const Model &model, const SharedBorders &borders,
     return found;
 }
 
-Meet with_loops(Meet meet) {
-    int64_t loops = 0;
-    for (const intersect::MeetWay &way : meet.ways) {
-        for (int64_t i = 0; way.closed && i < way.count; ++i) {
-            meet.branches[static_cast<size_t>(way.first + i)].loop = loops;
-        }
-        loops += way.closed ? 1 : 0;
-    }
-    return meet;
-}
-
 } // namespace
 
 Meet model_sections(const Model &model, std::span<const SectionPlane> planes, double tolerance) {

@@ -947,6 +947,27 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("model_intersections");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = n::Meet::of_models(in.model, ball, 0.1);
+        show("out", found);
+    }
+    {
+        begin("meet_faces_second");
+        const auto found = in.meet.faces_second();
+        show("own_faces", found.faces);
+        show("own_instances", found.instances);
+    }
+    {
+        begin("meet_joints_second");
+        const auto found = in.meet.joints_second();
+        show("own_faces", found.faces);
+        show("own_instances", found.instances);
+    }
+    {
         begin("meet_ways");
         const auto found = in.meet.ways();
         show("levels", found.levels);
@@ -1515,6 +1536,15 @@ void data(const Inputs &in) {
         const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
         const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
         const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0}, {0.1}, 0.1, watched());
+        show("out", found);
+    }
+    {
+        begin("model_intersections_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = n::Meet::of_models(in.model, ball, 0.1, watched());
         show("out", found);
     }
     {

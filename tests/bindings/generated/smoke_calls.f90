@@ -1900,6 +1900,36 @@ contains
                 offsets=[0.1d0], tolerance=0.1d0)
             call show('out', found)
         end block
+        call begin('model_intersections')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call found%of_models(a=model, b=ball, tolerance=0.1d0)
+            call show('out', found)
+        end block
+        call begin('meet_faces_second')
+        block
+            integer(c_int64_t), allocatable :: own_faces_found(:)
+            integer(c_int64_t), allocatable :: own_instances_found(:)
+            call meet%faces_second(own_faces=own_faces_found, own_instances=own_instances_found)
+            call show('own_faces', own_faces_found - 1)
+            call show('own_instances', own_instances_found - 1)
+        end block
+        call begin('meet_joints_second')
+        block
+            integer(c_int64_t), allocatable :: own_faces_found(:)
+            integer(c_int64_t), allocatable :: own_instances_found(:)
+            call meet%joints_second(own_faces=own_faces_found, own_instances=own_instances_found)
+            call show('own_faces', own_faces_found - 1)
+            call show('own_instances', own_instances_found - 1)
+        end block
         call begin('meet_ways')
         block
             integer(c_int64_t), allocatable :: levels_found(:)
@@ -2798,6 +2828,21 @@ contains
             call ball%create(faces=faces_given, metres=1.0d0)
             call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0], [1, 3], order=[2, 1]), &
                 offsets=[0.1d0], tolerance=0.1d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('model_intersections_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call found%of_models(a=model, b=ball, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('meet_trim_with')

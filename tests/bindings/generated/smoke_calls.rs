@@ -1619,6 +1619,32 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::model_sections(&ball, &[0.0, 0.0, 1.0], &[0.1], 0.1)?;
         show("out", &found);
     }
+    begin("model_intersections");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = Meet::of_models(&given.model, &ball, 0.1)?;
+        show("out", &found);
+    }
+    begin("meet_faces_second");
+    {
+        let found = given.meet.faces_second()?;
+        show("own_faces", &found.faces);
+        show("own_instances", &found.instances);
+    }
+    begin("meet_joints_second");
+    {
+        let found = given.meet.joints_second()?;
+        show("own_faces", &found.faces);
+        show("own_instances", &found.instances);
+    }
     begin("meet_ways");
     {
         let found = given.meet.ways()?;
@@ -2490,6 +2516,25 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &ball,
             &[0.0, 0.0, 1.0],
             &[0.1],
+            0.1,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("model_intersections_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = Meet::of_models_with(
+            &given.model,
+            &ball,
             0.1,
             &mut Call::new().progress(|_| true),
         )?;

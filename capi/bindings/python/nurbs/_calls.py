@@ -274,6 +274,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_meet_trim, lib.nurbs_meet_trim_with),
         (lib.nurbs_meet_trim_second, lib.nurbs_meet_trim_second_with),
         (lib.nurbs_model_sections, lib.nurbs_model_sections_with),
+        (lib.nurbs_model_intersections, lib.nurbs_model_intersections_with),
         (lib.nurbs_mesh_surface, lib.nurbs_mesh_surface_with),
         (lib.nurbs_mesh_face, lib.nurbs_mesh_face_with),
         (lib.nurbs_mesh_model, lib.nurbs_mesh_model_with),

@@ -220,6 +220,21 @@ class Meet:
         return found
 
     @property
+    def faces_second(self) -> MeetFaces:
+        """The faces of the second of two models on which the branches are."""
+        return self._second(lib.nurbs_meet_faces_second, self.counts.branches)
+
+    @property
+    def joints_second(self) -> MeetFaces:
+        """The faces of the second of two models on which the nodes are."""
+        return self._second(lib.nurbs_meet_joints_second, self.counts.nodes)
+
+    def _second(self, function: Any, n: int) -> MeetFaces:
+        found = MeetFaces(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64))
+        call(function, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
     def joints(self) -> MeetJoints:
         """How ways go on at the nodes, and on which faces of a model these are."""
         n = self.counts.nodes

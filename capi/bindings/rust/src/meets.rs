@@ -452,6 +452,20 @@ impl Meet {
         Ok(MeetFaces { faces, instances })
     }
 
+    /// The faces of the second of two models on which the branches are.
+    pub fn faces_second(&self) -> Result<MeetFaces> {
+        let fill = |cap, faces, instances, count| unsafe {
+            sys::nurbs_meet_faces_second(self.raw(), cap, faces, instances, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut faces = vec![0; n];
+        let mut instances = vec![0; n];
+        check(fill(count, faces.as_mut_ptr(), instances.as_mut_ptr(), &mut count))?;
+        Ok(MeetFaces { faces, instances })
+    }
+
     /// How ways go on at the nodes, and on which faces of a model these are.
     pub fn joints(&self) -> Result<MeetJoints> {
         let fill = |cap, next_nodes, gaps, faces, instances, count| unsafe {
@@ -473,6 +487,20 @@ impl Meet {
             &mut count,
         ))?;
         Ok(MeetJoints { next_nodes, gaps, faces, instances })
+    }
+
+    /// The faces of the second of two models on which the nodes are.
+    pub fn joints_second(&self) -> Result<MeetFaces> {
+        let fill = |cap, faces, instances, count| unsafe {
+            sys::nurbs_meet_joints_second(self.raw(), cap, faces, instances, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut faces = vec![0; n];
+        let mut instances = vec![0; n];
+        check(fill(count, faces.as_mut_ptr(), instances.as_mut_ptr(), &mut count))?;
+        Ok(MeetFaces { faces, instances })
     }
 
     /// Where planes cut the faces of a model, joined to ways over the edges that faces share.
@@ -504,6 +532,18 @@ impl Meet {
                 call.options(),
                 out,
             )
+        })
+    }
+
+    /// Where the faces of two models meet, joined to ways over the edges that faces share.
+    pub fn of_models(a: &Model, b: &Model, tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_model_intersections(a.raw(), b.raw(), tolerance, out) })
+    }
+
+    /// The same as `of_models`; it can be watched and stopped.
+    pub fn of_models_with(a: &Model, b: &Model, tolerance: f64, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_model_intersections_with(a.raw(), b.raw(), tolerance, call.options(), out)
         })
     }
 

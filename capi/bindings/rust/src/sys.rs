@@ -4153,6 +4153,17 @@ extern "C" {
         own_instances: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in other
+    /// meets.
+    ///
+    /// May be null: `own_faces`, `own_instances`, `count`.
+    pub fn nurbs_meet_faces_second(
+        meet: *const nurbs_meet,
+        cap: i64,
+        own_faces: *mut i64,
+        own_instances: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
     /// How ways go on at the nodes of a meet, and on which faces of a model these are.
     ///
     /// May be null: `next_nodes`, `gaps`, `own_faces`, `own_instances`, `count`.
@@ -4161,6 +4172,16 @@ extern "C" {
         cap: i64,
         next_nodes: *mut i64,
         gaps: *mut f64,
+        own_faces: *mut i64,
+        own_instances: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+    ///
+    /// May be null: `own_faces`, `own_instances`, `count`.
+    pub fn nurbs_meet_joints_second(
+        meet: *const nurbs_meet,
+        cap: i64,
         own_faces: *mut i64,
         own_instances: *mut i64,
         count: *mut i64,
@@ -5410,6 +5431,25 @@ extern "C" {
         n: i64,
         normals: *const f64,
         offsets: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to
+    /// ways over the edges that faces share: the curves of a union, a difference or an intersection, and what
+    /// collides.
+    pub fn nurbs_model_intersections(
+        a: *const nurbs_model,
+        b: *const nurbs_model,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_model_intersections() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_model_intersections_with(
+        a: *const nurbs_model,
+        b: *const nurbs_model,
         tolerance: f64,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,

@@ -1031,6 +1031,30 @@ const Call group[] = {
          static constexpr double offsets[] = {0.1};
          return nurbs_model_sections(made_ball, 1, normals, offsets, 0.1, &o.meet);
      }},
+    {"model_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         return nurbs_model_intersections(in.model, made_ball, 0.1, &o.meet);
+     }},
+    {"meet_faces_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_faces_second(in.meet, 4, o.spans, o.spans + 4, o.spans + 8);
+     }},
+    {"meet_joints_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_joints_second(in.meet, 8, o.spans, o.spans + 8, o.spans + 16);
+     }},
     {"meet_ways",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_ways(in.meet, 4, o.spans, o.spans + 4, o.spans + 8, o.states, o.values, o.spans +
@@ -1863,6 +1887,24 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_model_sections_with(made_ball, 1, normals, offsets, 0.1, &call, &o.meet);
+     }},
+    {"model_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_intersections_with(in.model, made_ball, 0.1, &call, &o.meet);
      }},
     {"meet_trim_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
