@@ -5890,18 +5890,20 @@ NURBS_API nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *
 NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the loops of both, as
- * nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, with one key (nurbs_face_edge()) and in one place:
- * neighbours of a model meet in their edges. Each such edge is a branch EDGE, or CONTACT if the sine of the angle of the tangent
- * planes is at most 1/256 somewhere along it (nurbs_meet_kinds()): the curve in space is the edge itself, with its degree and weights,
- * and those in the domains run over the same parameters, on axes that close beyond the domain, too, as curves of loops may. Its
- * deviation is how far all three are proven to be apart. It ends in nodes BORDER, or, if it closes, in two nodes SEAM.
+/** \brief Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the loops
+ * of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, which have one key
+ * (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in their edges. Each such edge is a branch EDGE,
+ * or CONTACT if at one of 33 places along it the sine of the angle of the tangent planes is at most 1/256
+ * (nurbs_meet_kinds()). Its curve in space is the edge itself, with its degree and weights, and those in the domains run
+ * over the same parameters, on axes that close beyond the domain, too, as curves of loops may; its deviation is how far
+ * all three are proven to be apart. It ends in nodes BORDER, or, if it closes, in two nodes SEAM.
  *
- * What curves of both surfaces have within a room of a shared edge is that edge, and not told again: twice what both faces are off it
- * (nurbs_face_deviation()) and the tolerance, divided by that sine, or by 1/256 where it is less, but no farther than a 16th of the size
- * of the edge for that; so is what is no longer than 16 times the room and begins no farther from it. For that surfaces are
- * continued beyond the ends of their domains, where borders do cross. Faces that are smooth at a shared edge have a node UNDECIDED
- * there in general, as surfaces that touch, and so have faces that lie on one surface.
+ * What both surfaces have within a room of a shared edge is that edge, and not told again: 2 (d_a + d_b + tolerance) / s,
+ * d how far faces are off the edge (nurbs_face_deviation()), s the least sine, or 1/256 if that is more; what division
+ * makes larger than a 16th of the size of the edge is no more than that. So is what begins within 16 rooms of the edge
+ * and is no longer than that. What leaves an edge otherwise begins in a node EDGE. For this surfaces are continued beyond the
+ * ends of their domains, where borders do cross. Faces that are smooth at a shared edge have a node UNDECIDED there in general,
+ * as surfaces that touch, and so have faces that lie on one surface.
  * \param[in] a,b faces in space.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points.
  * \param[out] out the new meet, all of it of level 0, on the surfaces of a and of b.
@@ -6088,8 +6090,8 @@ NURBS_API nurbs_status nurbs_meet_joints_second(const nurbs_meet *meet, int64_t 
 
 /** \brief What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes BORDER on them,
  * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed; of a meet of
- * two surfaces it is what lies in a face of the first one, and nurbs_meet_trim_second() tells what of that lies in one of
- * the second. Where curves
+ * two surfaces it is what lies in a face of the first one, and nurbs_meet_trim_second() tells what of that lies in one
+ * of the second. Where curves
  * cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts are inside by the sides
  * of their middles (nurbs_face_classify()); what runs along a loop, to 1e-9 of the domain, is inside; where crossings
  * are undecided there is a node UNDECIDED. A closed branch that
@@ -8210,23 +8212,24 @@ NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64
                                                  const double *offsets, double tolerance,
                                                  const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to ways over the
- * edges that faces share: the curves of a union, a difference or an intersection, and what collides. On each pair of
- * faces whose boxes have common points, found in a tree of these, branches and nodes are those of nurbs_face_intersections() of faces
- * that share no edge; edges of the two models are not taken for each other, so that what lies on one another is a node UNDECIDED.
- * Curves in space are in the whole. Branches run along n_b x n_a with the outer normals n of the faces (nurbs_model_face()): on a face
- * of a, seen from outside, the material of b is on their right, and on one of b that of a on their left. Faces that
- * bound no solid run as the first one of those that hang together by edges.
+/** \brief Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to ways over
+ * the edges that faces share: the curves of a union, a difference or an intersection. On each pair of faces whose boxes
+ * have common points, found in a tree of these, branches and nodes are those of nurbs_face_intersections() of faces that share
+ * no edge; edges of the two models are not taken for each other, so that what lies on one another is a node UNDECIDED.
+ * Curves in space are in the whole. Branches run along n_b x n_a with the outer normals n of the faces
+ * (nurbs_model_face()): on a face of a, seen from outside, the material of b is on their right, and on one of b that of a on their
+ * left. Faces that bound no solid run as the first one of those that hang together by edges.
  *
  * Where a branch ends on an edge that two faces of a solid share, or two that bound none, the next one is found on the
- * other face with the same face of the other model, or, where edges of both cross, with the other face of that; both ends are nodes
- * EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces and the one given allow, divided by the
- * sine of the angle, of at least 1/256, between edge and surface. An end on a shared edge for which there is
- * none is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is joined because it is near alone.
+ * other face with the same face of the other model, or, where edges of both cross, with the other face of that; both
+ * ends are nodes EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces
+ * and the one given allow, divided by the sine of the angle, of at least 1/256, between edge and surface. An end on a shared
+ * edge for which there is none is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is
+ * joined because it is near alone.
  *
- * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a little more than the
- * face.
- * \param[in] a,b models; one may be the other one, elsewhere.
+ * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a little more than
+ * the face.
+ * \param[in] a,b models; both may be the same, which mostly is undecided.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points, in the whole.
  * \param[out] out the new meet, all of it of level 0; nurbs_meet_faces() and nurbs_meet_joints() tell the faces of a,
  *   nurbs_meet_faces_second() and nurbs_meet_joints_second() those of b.

@@ -132,6 +132,26 @@ void check_ways(const ModelMeet &found) {
     }
 }
 
+// Out of a block.
+Point3 outer_normal(const Block &block, int64_t face) {
+    const Point3 normal = normal_of(block, static_cast<size_t>(face / 2));
+    const bool outwards = (dot(normal, block.edges[static_cast<size_t>(face / 2)]) > 0) == (face % 2 == 1);
+    return combined({}, outwards ? 1 : -1, normal);
+}
+
+// Branches run along n_b x n_a. Normals of faces that bound no solid are those of the first one, which is that of the left side: all
+// of them point inwards where edges are those of a right hand.
+void check_directions(const ModelMeet &found, const Block &a, const Block &b) {
+    const bool alike = (dot(normal_of(a, 0), a.edges[0]) > 0) == (dot(normal_of(b, 0), b.edges[0]) > 0);
+    for (size_t i = 0; i < found.section.faces.size(); ++i) {
+        const Branch &branch = found.section.found.branches[i];
+        const std::vector<Point3> ends = points_on(branch.space.get(), {branch.domain[0], branch.domain[1]});
+        const Point3 along =
+            cross(outer_normal(b, found.faces_second[i]), outer_normal(a, found.section.faces[i]));
+        EXPECT_EQ(dot(combined(ends[1], -1, ends[0]), along) > 0, alike) << "branch " << i;
+    }
+}
+
 } // namespace
 
 TEST(ModelMeets, OfBlocksAreTheSegmentsOfTheirSides) {
@@ -157,6 +177,8 @@ TEST(ModelMeets, OfBlocksAreTheSegmentsOfTheirSides) {
         EXPECT_EQ(found.section.ways.size(), back.section.ways.size());
         check_ways(found);
         check_ways(back);
+        check_directions(found, one, other);
+        check_directions(back, other, one);
     });
     EXPECT_GE(met, 60);
 }
@@ -180,8 +202,9 @@ TEST(ModelMeets, OfABlockAndARod) {
             const size_t p = (axis + 1) % 3, q = (axis + 2) % 3;
             for (const int64_t side : {0, 1}) {
                 sides.push_back(support::solids::around_domain(
-                    support::solids::plane(combined(shape.origin, static_cast<double>(side), shape.edges[axis]),
-                                  shape.edges[p], shape.edges[q]),
+                    support::solids::plane(
+                        combined(shape.origin, static_cast<double>(side), shape.edges[axis]), shape.edges[p],
+                        shape.edges[q]),
                     {key(p, 0, side), key(q, side, 1), -key(p, 1, side), -key(q, side, 0)}));
                 given.push_back(sides.back().get());
             }

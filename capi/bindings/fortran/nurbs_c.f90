@@ -3190,8 +3190,8 @@ module nurbs_c
         end function nurbs_surface_intersections_with
         !> Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of
         !> the loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that
-        !> they share, with one key (nurbs_face_edge()) and in one place: neighbours of a model meet in their
-        !> edges.
+        !> they share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model
+        !> meet in their edges.
         function nurbs_face_intersections(a, b, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -4529,8 +4529,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_model_sections_with
         !> Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined
-        !> to ways over the edges that faces share: the curves of a union, a difference or an intersection,
-        !> and what collides.
+        !> to ways over the edges that faces share: the curves of a union, a difference or an intersection.
         function nurbs_model_intersections(a, b, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b

@@ -4042,7 +4042,8 @@ extern "C" {
     ) -> nurbs_status;
     /// Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the
     /// loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they
-    /// share, with one key (nurbs_face_edge()) and in one place: neighbours of a model meet in their edges.
+    /// share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in
+    /// their edges.
     pub fn nurbs_face_intersections(
         a: *const nurbs_face,
         b: *const nurbs_face,
@@ -5436,8 +5437,7 @@ extern "C" {
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
     /// Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to
-    /// ways over the edges that faces share: the curves of a union, a difference or an intersection, and what
-    /// collides.
+    /// ways over the edges that faces share: the curves of a union, a difference or an intersection.
     pub fn nurbs_model_intersections(
         a: *const nurbs_model,
         b: *const nurbs_model,
