@@ -927,9 +927,9 @@ void data(const Inputs &in) {
     }
     {
         begin("face_intersections");
-        const n::Spline moved_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25}, {}, 0u);
-        const n::Face moved_face = n::Face::create(in.surface, {1}, std::vector<n::Spline>{moved_outline}, {}, {}, 0.001, 0u);
-        const auto found = n::Meet::of_faces(in.face, moved_face, 0.1);
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Face upright = n::Face::create(wall, {}, {}, {}, {}, 0.001, 0u);
+        const auto found = n::Meet::of_faces(in.face, upright, 0.1);
         show("out", found);
     }
     {
@@ -1524,9 +1524,9 @@ void data(const Inputs &in) {
     }
     {
         begin("face_intersections_with");
-        const n::Spline moved_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25}, {}, 0u);
-        const n::Face moved_face = n::Face::create(in.surface, {1}, std::vector<n::Spline>{moved_outline}, {}, {}, 0.001, 0u);
-        const auto found = n::Meet::of_faces(in.face, moved_face, 0.1, watched());
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Face upright = n::Face::create(wall, {}, {}, {}, {}, 0.001, 0u);
+        const auto found = n::Meet::of_faces(in.face, upright, 0.1, watched());
         show("out", found);
     }
     {

@@ -1867,16 +1867,13 @@ contains
         end block
         call begin('face_intersections')
         block
-            type(nurbs_spline) :: moved_outline
-            type(nurbs_face) :: moved_face
-            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_spline) :: wall
+            type(nurbs_face) :: upright
             type(nurbs_meet) :: found
-            call moved_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
-                points=reshape([0.25d0, 1.25d0, 0.75d0, 1.25d0, 0.5d0, 2.25d0, 0.25d0, 1.25d0], [4, 2], order=[2, 1]), &
-                flags=0)
-            curves_given(1) = moved_outline
-            call moved_face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
-            call found%of_faces(a=face, b=moved_face, tolerance=0.1d0)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call upright%create(surface=wall, tolerance=0.001d0, flags=0)
+            call found%of_faces(a=face, b=upright, tolerance=0.1d0)
             call show('out', found)
         end block
         call begin('meet_kinds')
@@ -2801,17 +2798,14 @@ contains
         end block
         call begin('face_intersections_with')
         block
-            type(nurbs_spline) :: moved_outline
-            type(nurbs_face) :: moved_face
-            type(nurbs_spline) :: curves_given(1)
+            type(nurbs_spline) :: wall
+            type(nurbs_face) :: upright
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
-            call moved_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
-                points=reshape([0.25d0, 1.25d0, 0.75d0, 1.25d0, 0.5d0, 2.25d0, 0.25d0, 1.25d0], [4, 2], order=[2, 1]), &
-                flags=0)
-            curves_given(1) = moved_outline
-            call moved_face%create(surface=surface, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
-            call found%of_faces(a=face, b=moved_face, tolerance=0.1d0, call=watching)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call upright%create(surface=wall, tolerance=0.001d0, flags=0)
+            call found%of_faces(a=face, b=upright, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('model_sections_with')

@@ -1579,25 +1579,16 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("face_intersections");
     {
-        let moved_outline = Spline::create(
-            &[1],
-            &[4],
-            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
-            2,
-            &[0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25],
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
             None,
-            0,
         )?;
-        let moved_face = Face::create(
-            &given.surface,
-            &[1],
-            &[Some(&moved_outline)],
-            &[],
-            &[],
-            0.001,
-            0,
-        )?;
-        let found = Meet::of_faces(&given.face, &moved_face, 0.1)?;
+        let upright = Face::create(&wall, &[], &[], &[], &[], 0.001, 0)?;
+        let found = Meet::of_faces(&given.face, &upright, 0.1)?;
         show("out", &found);
     }
     begin("meet_kinds");
@@ -2475,27 +2466,18 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("face_intersections_with");
     {
-        let moved_outline = Spline::create(
-            &[1],
-            &[4],
-            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
-            2,
-            &[0.25, 1.25, 0.75, 1.25, 0.5, 2.25, 0.25, 1.25],
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
             None,
-            0,
         )?;
-        let moved_face = Face::create(
-            &given.surface,
-            &[1],
-            &[Some(&moved_outline)],
-            &[],
-            &[],
-            0.001,
-            0,
-        )?;
+        let upright = Face::create(&wall, &[], &[], &[], &[], 0.001, 0)?;
         let found = Meet::of_faces_with(
             &given.face,
-            &moved_face,
+            &upright,
             0.1,
             &mut Call::new().progress(|_| true),
         )?;

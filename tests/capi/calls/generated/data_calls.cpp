@@ -999,15 +999,15 @@ const Call group[] = {
      }},
     {"face_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_moved_outline(in, make_moved_outline);
-         if (made_moved_outline.status() != NURBS_OK) {
-             return made_moved_outline.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
-         Made made_moved_face(in, make_moved_face);
-         if (made_moved_face.status() != NURBS_OK) {
-             return made_moved_face.status();
+         Made made_upright(in, make_upright);
+         if (made_upright.status() != NURBS_OK) {
+             return made_upright.status();
          }
-         return nurbs_face_intersections(in.face, made_moved_face, 0.1, &o.meet);
+         return nurbs_face_intersections(in.face, made_upright, 0.1, &o.meet);
      }},
     {"meet_kinds",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1856,17 +1856,17 @@ const Call group[] = {
      }},
     {"face_intersections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_moved_outline(in, make_moved_outline);
-         if (made_moved_outline.status() != NURBS_OK) {
-             return made_moved_outline.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
-         Made made_moved_face(in, make_moved_face);
-         if (made_moved_face.status() != NURBS_OK) {
-             return made_moved_face.status();
+         Made made_upright(in, make_upright);
+         if (made_upright.status() != NURBS_OK) {
+             return made_upright.status();
          }
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_face_intersections_with(in.face, made_moved_face, 0.1, &call, &o.meet);
+         return nurbs_face_intersections_with(in.face, made_upright, 0.1, &call, &o.meet);
      }},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
