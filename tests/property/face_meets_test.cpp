@@ -117,9 +117,21 @@ double size_of(const nurbs_face *face) {
     return surface_sections::distance(lower, upper);
 }
 
+Model sewn_together(const nurbs_model *model, double within) {
+    std::vector<Face> faces;
+    std::vector<const nurbs_face *> given;
+    for (int64_t i = 0; i < counts_of(model).faces; ++i) {
+        given.push_back(faces.emplace_back(face_of(model, i)).get());
+    }
+    nurbs_model *sewn = nullptr;
+    require_ok(nurbs_model_sew(std::ssize(given), given.data(), within, 1, &sewn));
+    return Model(sewn);
+}
+
 struct FileCase {
     const char *name;
-    int64_t every; // how many pairs there are for one that is looked at by default
+    int64_t every;   // how many pairs there are for one that is looked at by default
+    double sewn = 0; // within which faces that know no common edges are sewn
 };
 
 } // namespace
@@ -134,7 +146,9 @@ TEST_P(FaceMeetsInFiles, NeighboursMeetInTheirEdges) {
     nurbs_model *made = nullptr;
     require_ok(
         nurbs_read_model_file((std::filesystem::path(folder) / GetParam().name).c_str(), nullptr, &made));
-    const Model model(made);
+    const Model read(made);
+    const Model sewn = GetParam().sewn > 0 ? sewn_together(read.get(), GetParam().sewn) : nullptr;
+    const Model &model = sewn ? sewn : read;
     const std::map<Pair, double> pairs = neighbours_in(model.get());
     ASSERT_FALSE(pairs.empty());
     const int64_t every =
@@ -165,6 +179,8 @@ INSTANTIATE_TEST_SUITE_P(Files, FaceMeetsInFiles,
                                            FileCase{"countersunk_screw.step", 4},
                                            FileCase{"satellite_mainbody.stp", 5}, FileCase{"nacelle.stp", 7},
                                            FileCase{"stellarator_magnets.step", 4},
-                                           FileCase{"goteborg_hull.iges", 1}));
+                                           FileCase{"goteborg_hull.iges", 1},
+                                           FileCase{"pipe_hollow_deformed.iges", 1, 1e-2},
+                                           FileCase{"iea15mw_blade.igs", 1, 1e-3}));
 
 } // namespace face_meets_test
