@@ -94,6 +94,20 @@ static void apart(void) {
     nurbs_meet_destroy(meet);
 }
 
+/* A ball, which takes long to be met with itself. */
+static nurbs_model *ball(void) {
+    nurbs *g = NULL;
+    nurbs_face *face = NULL;
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_surface_sphere(NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &g));
+    CHECK_OK(nurbs_face_create(g, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    const nurbs_face *faces[] = {face};
+    CHECK_OK(nurbs_model_create(1, faces, 1, &model));
+    nurbs_face_destroy(face);
+    nurbs_destroy(g);
+    return model;
+}
+
 static int32_t stop(double done, void *user) {
     (void)done;
     ++*(int *)user;
@@ -101,7 +115,7 @@ static int32_t stop(double done, void *user) {
 }
 
 static void watched(void) {
-    nurbs_model *a = box(), *b = slab(-1, 4);
+    nurbs_model *a = box(), *b = slab(-1, 4), *round = ball();
     nurbs_meet *meet = NULL;
     nurbs_call_options call;
     int32_t complete = 1;
@@ -118,10 +132,11 @@ static void watched(void) {
     CHECK_OK(nurbs_call_options_init(&call, sizeof call));
     call.progress = stop;
     call.user = &asked;
-    CHECK_FAILS(nurbs_model_intersections_with(a, a, 1e-9, &call, &meet), NURBS_ERROR_CANCELLED, "");
+    CHECK_FAILS(nurbs_model_intersections_with(round, round, 1e-9, &call, &meet), NURBS_ERROR_CANCELLED, "");
     CHECK(asked == 1 && meet == NULL);
     call.struct_size = 1;
     CHECK_FAILS(nurbs_model_intersections_with(a, b, 1e-9, &call, &meet), NURBS_ERROR_OPTIONS, "struct_size");
+    nurbs_model_destroy(round);
     nurbs_model_destroy(a);
     nurbs_model_destroy(b);
 }
