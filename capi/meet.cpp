@@ -7,6 +7,7 @@
 #include "watched.h"
 
 #include "base/tolerance.h"
+#include "face/meets/face_meet.h"
 #include "face/trimmed_meet.h"
 #include "intersect/levels/sections.h"
 #include "intersect/surfaces/surface_surface.h"
@@ -36,14 +37,18 @@ const intersect::Meet &two_surfaces_of(const nurbs_meet *meet) {
     return own;
 }
 
-void check_one_surface(const intersect::Meet &meet) {
+void check_trims(const intersect::Meet &meet, const nurbs_face *face) {
+    require(face, "face");
     const auto is_of_model = [](const auto &of) { return of.face >= 0; };
     if (std::ranges::any_of(meet.nodes, is_of_model) || std::ranges::any_of(meet.branches, is_of_model)) {
-        fail(Status::incompatible, "meet is of a model, expected one of a surface");
+        fail(Status::incompatible, "meet is of a model, expected one of surfaces or faces");
     }
-    if (meet.of_two) {
-        fail(Status::incompatible, "meet is of two surfaces, expected one of a surface");
-    }
+}
+
+const face::Face &space_face(const nurbs_face *face, const char *name) {
+    require(face, name);
+    check_dimension(*face->face->surface(), 3, 3);
+    return *face->face;
 }
 
 const intersect::MeetBranch &branch_at(const intersect::Meet &meet, int64_t index) {
@@ -105,6 +110,21 @@ nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, do
     return watched(call, out, [&] { return nurbs_surface_intersections(a, b, tolerance, out); });
 }
 
+nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                      nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const face::Face &first = space_face(a, "a"), &second = space_face(b, "b");
+        check_positive_tolerance(tolerance);
+        give_meet(face::face_intersections(first, second, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                           const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_face_intersections(a, b, tolerance, out); });
+}
+
 nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out) {
     return guard([&] {
         require_out(out);
@@ -144,6 +164,18 @@ nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *l
             put(end_nodes, 2 * i + 1, branches[i].nodes[1]);
             put(loops, i, branches[i].loop);
             put(deviations, i, branches[i].deviation);
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
+
+nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("kinds", kinds, filled), memory("count", count, 1)}, {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(kinds, i, static_cast<int32_t>(branches[i].kind));
         }
         put(count, int64_t{std::ssize(branches)});
     });
@@ -267,8 +299,7 @@ nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nur
     return guard([&] {
         require_out(out);
         const intersect::Meet &whole = meet_of(meet);
-        require(face, "face");
-        check_one_surface(whole);
+        check_trims(whole, face);
         give_meet(face::trimmed(*face->face, whole), out);
     });
 }
@@ -276,4 +307,18 @@ nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nur
 nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
                                   const nurbs_call_options *call, nurbs_meet **out) {
     return watched(call, out, [&] { return nurbs_meet_trim(meet, face, out); });
+}
+
+nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const intersect::Meet &whole = two_surfaces_of(meet);
+        check_trims(whole, face);
+        give_meet(face::trimmed(*face->face, whole, 1), out);
+    });
+}
+
+nurbs_status nurbs_meet_trim_second_with(const nurbs_meet *meet, const nurbs_face *face,
+                                         const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_meet_trim_second(meet, face, out); });
 }

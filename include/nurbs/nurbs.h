@@ -5890,6 +5890,38 @@ NURBS_API nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *
 NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
+/** \brief Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the loops
+ * of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, which have one key
+ * (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in their edges. Each such edge is a branch EDGE,
+ * or CONTACT if at one of 33 places along it the sine of the angle of the tangent planes is at most 1/256
+ * (nurbs_meet_kinds()). Its curve in space is the edge itself, with its degree and weights, and those in the domains run
+ * over the same parameters, on axes that close beyond the domain, too, as curves of loops may; its deviation is how far
+ * all three are proven to be apart. It ends in nodes BORDER, or, if it closes, in two nodes SEAM.
+ *
+ * What both surfaces have within a room of a shared edge is that edge, and not told again: 2 (d_a + d_b + tolerance) / s,
+ * d how far faces are off the edge (nurbs_face_deviation()), s the least sine, or 1/256 if that is more; what division
+ * makes larger than a 16th of the size of the edge is no more than that. So is what begins within 16 rooms of the edge
+ * and is no longer than that. What leaves an edge otherwise begins in a node EDGE. For this surfaces are continued beyond the
+ * ends of their domains, where borders do cross. Faces that are smooth at a shared edge have a node UNDECIDED there in general,
+ * as surfaces that touch, and so have faces that lie on one surface.
+ * \param[in] a,b faces in space.
+ * \param[in] tolerance > 0: the largest distance of the curves from the common points.
+ * \param[out] out the new meet, all of it of level 0, on the surfaces of a and of b.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE, _NOT_CONVERGED.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, double tolerance,
+                                                nurbs_meet **out);
+
+/** \brief nurbs_face_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] a,b,tolerance as for nurbs_face_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_face_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const nurbs_face *b,
+                                                     double tolerance, const nurbs_call_options *call,
+                                                     nurbs_meet **out);
+
 /** \brief Another handle on the same meet, in constant time.
  * \param[in] meet a meet.
  * \param[out] out the new handle.
@@ -5929,7 +5961,25 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
                                            int64_t *end_nodes, int64_t *loops, double *deviations,
                                            int64_t *count);
 
-/** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
+/** \name Kinds of branches
+ * @{ */
+#define NURBS_BRANCH_CROSSING 1 /**< what surfaces, or a surface and a plane, have in common */
+#define NURBS_BRANCH_EDGE 2     /**< an edge that two faces share */
+#define NURBS_BRANCH_CONTACT                                                                                 \
+    3 /**< one at which both faces have the same tangent planes, somewhere at least */
+/** @} */
+
+/** \brief What the branches of a meet are.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the output: 0, or at least the number of branches.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each; others than CROSSING in meets of faces and models only.
+ * \param[out] count or NULL: number of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count);
+
+/** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space. Those of edges that
+ * faces share have the degree and the parameters of these.
  * \param[in] meet a meet.
  * \param[in] index 0-based.
  * \param[out] space the curve in space.
@@ -5966,7 +6016,7 @@ NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int
 /** \brief Where the nodes of a meet are on the second of two surfaces.
  * \param[in] meet of nurbs_surface_intersections().
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
- * \param[out] params [cap][2] or NULL: parameters of the second surface; of a part its middle.
+ * \param[out] params [cap][2] or NULL: parameters of the second surface, in its domain; of a part its middle.
  * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis.
  * \param[out] count or NULL: number of nodes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough, _INCOMPATIBLE if the meet
@@ -6002,6 +6052,17 @@ NURBS_API nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int6
 NURBS_API nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
                                         int64_t *own_instances, int64_t *count);
 
+/** \brief Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in other meets.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of branches.
+ * \param[out] own_faces [cap] or NULL: the face of the second model, 0-based.
+ * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based (nurbs_model_instances()).
+ * \param[out] count or NULL: number of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_faces_second(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
+                                               int64_t *own_instances, int64_t *count);
+
 /** \brief How ways go on at the nodes of a meet, and on which faces of a model these are.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
@@ -6016,18 +6077,31 @@ NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, in
                                          double *gaps, int64_t *own_faces, int64_t *own_instances,
                                          int64_t *count);
 
+/** \brief On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the outputs: 0, or at least the number of nodes.
+ * \param[out] own_faces [cap] or NULL: the face of the second model, 0-based.
+ * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based (nurbs_model_instances()).
+ * \param[out] count or NULL: number of nodes.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_joints_second(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
+                                                int64_t *own_instances, int64_t *count);
+
 /** \brief What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes BORDER on them,
- * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed. Where curves
+ * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed; of a meet of
+ * two surfaces it is what lies in a face of the first one, and nurbs_meet_trim_second() tells what of that lies in one
+ * of the second. Where curves
  * cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts are inside by the sides
  * of their middles (nurbs_face_classify()); what runs along a loop, to 1e-9 of the domain, is inside; where crossings
  * are undecided there is a node UNDECIDED. A closed branch that
  * is cut is cut where it begins, too, in two nodes SEAM. A node TOUCH stays if its middle is in the face, a node
- * UNDECIDED in any case. Deviations stay.
- * \param[in] meet of the surface of the face, or one with the same parameters.
+ * UNDECIDED unless all of its part is outside. Deviations stay.
+ * \param[in] meet of the surface of the face, or one with the same parameters; or of two, the first of which it is.
  * \param[in] face a face.
  * \param[out] out the new meet.
  * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are
- *   trimmed, and for meets of two surfaces.
+ *   trimmed.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
 
@@ -6039,6 +6113,26 @@ NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face 
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
                                             const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of the first: curves
+ * in the domain of the second surface are cut where they cross the loops, and all curves of a branch with them. Both cuts
+ * may be made in any order.
+ * \param[in] meet of two surfaces, the second one being that of the face, or one with the same parameters.
+ * \param[in] face a face.
+ * \param[out] out the new meet.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE if the meet is of one surface or of a model.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face,
+                                              nurbs_meet **out);
+
+/** \brief nurbs_meet_trim_second() as a call that can be watched and ended.
+ * \param[in] meet,face as for nurbs_meet_trim_second().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_meet_trim_second(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_trim_second_with(const nurbs_meet *meet, const nurbs_face *face,
+                                                   const nurbs_call_options *call, nurbs_meet **out);
 /** @} */
 
 /** \defgroup edit Weights and control points
@@ -8117,6 +8211,44 @@ NURBS_API nurbs_status nurbs_model_sections(const nurbs_model *model, int64_t n,
 NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64_t n, const double *normals,
                                                  const double *offsets, double tolerance,
                                                  const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to ways over
+ * the edges that faces share: the curves of a union, a difference or an intersection. On each pair of faces whose boxes
+ * have common points, found in a tree of these, branches and nodes are those of nurbs_face_intersections() of faces that share
+ * no edge; edges of the two models are not taken for each other, so that what lies on one another is a node UNDECIDED.
+ * Curves in space are in the whole. Branches run along n_b x n_a with the outer normals n of the faces
+ * (nurbs_model_face()): on a face of a, seen from outside, the material of b is on their right, and on one of b that of a on their
+ * left. Faces that bound no solid run as the first one of those that hang together by edges.
+ *
+ * Where a branch ends on an edge that two faces of a solid share, or two that bound none, the next one is found on the
+ * other face with the same face of the other model, or, where edges of both cross, with the other face of that; both
+ * ends are nodes EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces
+ * and the one given allow, divided by the sine of the angle, of at least 1/256, between edge and surface. An end on a shared
+ * edge for which there is none is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is
+ * joined because it is near alone.
+ *
+ * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a little more than
+ * the face.
+ * \param[in] a,b models; both may be the same, which mostly is undecided.
+ * \param[in] tolerance > 0: the largest distance of the curves from the common points, in the whole.
+ * \param[out] out the new meet, all of it of level 0; nurbs_meet_faces() and nurbs_meet_joints() tell the faces of a,
+ *   nurbs_meet_faces_second() and nurbs_meet_joints_second() those of b.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _NOT_REPRESENTABLE; _MATRIX if a placement cannot be
+ *   inverted, _TOO_LARGE if there are too many instances.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_intersections(const nurbs_model *a, const nurbs_model *b, double tolerance,
+                                                 nurbs_meet **out);
+
+/** \brief nurbs_model_intersections() as a call that can be watched and ended. At the limit of work what was not looked
+ * at is undecided.
+ * \param[in] a,b,tolerance as for nurbs_model_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_model_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_model_intersections_with(const nurbs_model *a, const nurbs_model *b,
+                                                      double tolerance, const nurbs_call_options *call,
+                                                      nurbs_meet **out);
 
 /** \brief Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
  * \param[in] model a model.

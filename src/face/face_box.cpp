@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "face/boundary.h"
+#include "face/open_ends.h"
 #include "pieces/derivative_pieces.h"
 
 #include <algorithm>
@@ -319,6 +320,30 @@ private:
 
 bounds::Box bounding_box(const Face &face, double tolerance) {
     return BoxSearch(face, tolerance).run();
+}
+
+std::array<Interval, 2> smallest_rectangle(const Face &face) {
+    std::array<Interval, 2> rectangle{Interval{infinity, -infinity}, Interval{infinity, -infinity}};
+    const auto add = [&](const Point2 &x) {
+        for (size_t k = 0; k < 2; ++k) {
+            rectangle[k] = {std::min(rectangle[k].lower, x[k]), std::max(rectangle[k].upper, x[k])};
+        }
+    };
+    for (const TrimPiece &piece : face.trims().pieces().all()) {
+        add(piece.lower);
+        add(piece.upper);
+    }
+    for (const EndPart &part : open_ends(face)) {
+        add(part.from);
+        add(part.to);
+    }
+    for (const int k : {0, 1}) {
+        Interval &own = rectangle[static_cast<size_t>(k)];
+        if (face.covering().closed(k) || !(own.lower <= own.upper)) {
+            own = face.covering().domain(k);
+        }
+    }
+    return rectangle;
 }
 
 } // namespace nrb::face

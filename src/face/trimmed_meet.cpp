@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace nrb::face {
@@ -26,8 +28,11 @@ using intersect::NodeKind;
 class Trimming {
 public:
     // apart: what runs along the border is in branches of its own.
-    Trimming(const Face &face, const Meet &meet, bool apart)
-        : face_(face), meet_(meet), border_(face), apart_(apart) {}
+    Trimming(const Face &face, const Meet &meet, size_t surface, bool apart, const PartsOfBranches &left_out)
+        : face_(face), meet_(meet), surface_(surface), border_(face), apart_(apart), left_out_(left_out) {
+        result_.of_two = meet.of_two;
+        result_.periodic = meet.periodic;
+    }
 
     BorderedMeet run() {
         keep_nodes();
@@ -44,12 +49,51 @@ public:
     }
 
 private:
+    // What is beyond the domain, where meets of a continued surface may be, is outside.
     [[nodiscard]] bool is_inside(const Point2 &at) const {
-        return face_.trims().side(face_.covering().in_domain(at)) >= 0;
+        return !is_beyond({Interval{at[0], at[0]}, Interval{at[1], at[1]}}) &&
+               face_.trims().side(face_.covering().in_domain(at)) >= 0;
+    }
+    [[nodiscard]] bool is_beyond(const std::array<Interval, 2> &range) const noexcept {
+        for (const int k : {0, 1}) {
+            const auto &[lower, upper] = range[static_cast<size_t>(k)];
+            const Interval domain = face_.covering().domain(k);
+            const double room = 1e-9 * face_.covering().period(k);
+            if (!face_.covering().closed(k) && (upper < domain.lower - room || lower > domain.upper + room)) {
+                return true;
+            }
+        }
+        return false;
     }
     [[nodiscard]] bool is_inside(const MeetBranch &branch, double t) const {
-        const std::vector<double> at = eval::curve_point(*branch.on, t, false);
-        return is_inside(Point2{at[0], at[1]});
+        return is_inside(place_on(*curve_of(branch), t));
+    }
+    // All over. Where the surface closes the part may be in its copies.
+    [[nodiscard]] bool is_outside(const std::array<Interval, 2> &range) const {
+        const Point2 lower{range[0].lower, range[1].lower}, upper{range[0].upper, range[1].upper};
+        if (is_beyond(range)) {
+            return true;
+        }
+        const Point2 middle{lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
+        const auto is_cut = [&](const Point2 &move) {
+            return face_.trims().cuts(moved(lower, move), moved(upper, move));
+        };
+        return face_.trims().side(face_.covering().in_domain(middle)) < 0 && !is_cut({0, 0}) &&
+               !face_.covering().any_move(lower, upper, is_cut);
+    }
+    // On the surface of the face.
+    [[nodiscard]] const SplinePtr &curve_of(const MeetBranch &branch) const noexcept {
+        return surface_ == 0 ? branch.on : branch.on_second;
+    }
+    [[nodiscard]] const std::array<double, 2> &place_of(const MeetNode &node) const noexcept {
+        return surface_ == 0 ? node.at : node.at_second;
+    }
+    [[nodiscard]] const std::array<Interval, 2> &range_of(const MeetNode &node) const noexcept {
+        return surface_ == 0 ? node.range : node.range_second;
+    }
+    static Point2 place_on(const Spline &curve, double t) {
+        const std::vector<double> at = eval::curve_point(curve, t, false);
+        return {at[0], at[1]};
     }
 
     // Those of branches come with them.
@@ -57,7 +101,8 @@ private:
         new_node_.assign(meet_.nodes.size(), -1);
         for (size_t i = 0; i < meet_.nodes.size(); ++i) {
             const MeetNode &node = meet_.nodes[i];
-            if (node.kind == NodeKind::undecided || (node.kind == NodeKind::touch && is_inside(node.at))) {
+            if ((node.kind == NodeKind::undecided && !is_outside(range_of(node))) ||
+                (node.kind == NodeKind::touch && is_inside(place_of(node)))) {
                 new_node_[i] = add_node(node);
             }
         }
@@ -72,9 +117,31 @@ private:
         return place;
     }
     int64_t node_on(const MeetBranch &branch, double t, NodeKind kind) {
-        const std::vector<double> on = eval::curve_point(*branch.on, t, false);
-        const Point2 at = face_.covering().in_domain({on[0], on[1]});
-        return add_node({branch.level, kind, at, {Interval{at[0], at[0]}, Interval{at[1], at[1]}}});
+        MeetNode node{branch.level, kind, {}, {}};
+        set_place(place_at(branch, t, 0), node.at, node.range);
+        if (meet_.of_two) {
+            set_place(place_at(branch, t, 1), node.at_second, node.range_second);
+        }
+        return add_node(node);
+    }
+    static void set_place(const Point2 &at, std::array<double, 2> &place, std::array<Interval, 2> &range) {
+        place = at;
+        range = {Interval{at[0], at[0]}, Interval{at[1], at[1]}};
+    }
+    // In the domain.
+    [[nodiscard]] Point2 place_at(const MeetBranch &branch, double t, size_t surface) const {
+        const Point2 at = place_on(surface == 0 ? *branch.on : *branch.on_second, t);
+        return surface == surface_ ? face_.covering().in_domain(at) : in_domain(at, meet_.periodic[surface]);
+    }
+    static Point2 in_domain(Point2 at, const std::array<std::optional<Interval>, 2> &periodic) noexcept {
+        for (size_t k = 0; k < 2; ++k) {
+            if (periodic[k]) {
+                const auto &[lower, upper] = *periodic[k];
+                const double turns = std::floor((at[k] - lower) / (upper - lower));
+                at[k] = std::clamp(at[k] - turns * (upper - lower), lower, upper);
+            }
+        }
+        return at;
     }
 
     // Parameters at which a branch may come in or go out, and where it runs along the border.
@@ -92,8 +159,12 @@ private:
     };
     Crossings crossings(const MeetBranch &branch) {
         Crossings found;
-        border_.visit_near(*branch.on, [&](const Spline &curve, const TrimPiece &piece) {
-            const intersect::PairHits hits = intersect::curve_curve(*branch.on, curve, border_.room());
+        for (const Interval &part : parts_left_out(branch)) {
+            found.at.push_back({part.lower, {}});
+            found.at.push_back({part.upper, {}});
+        }
+        border_.visit_near(*curve_of(branch), [&](const Spline &curve, const TrimPiece &piece) {
+            const intersect::PairHits hits = intersect::curve_curve(*curve_of(branch), curve, border_.room());
             for (const intersect::PairHit &hit : hits.list) {
                 if (hit.kind == intersect::HitKind::undecided) {
                     node_on(branch, hit.a, NodeKind::undecided);
@@ -115,6 +186,11 @@ private:
         return found;
     }
 
+    [[nodiscard]] std::span<const Interval> parts_left_out(const MeetBranch &branch) const noexcept {
+        const auto number = static_cast<size_t>(&branch - meet_.branches.data());
+        return left_out_.empty() ? std::span<const Interval>() : left_out_[number];
+    }
+
     // Kept of a branch.
     struct KeptPart {
         Interval range;
@@ -131,7 +207,10 @@ private:
             const auto along = std::ranges::find_if(found.along, [&](const Passage &passage) {
                 return passage.range.lower <= middle && middle <= passage.range.upper;
             });
-            if (along == found.along.end() && !is_inside(branch, middle)) {
+            const bool left_out = std::ranges::any_of(parts_left_out(branch), [middle](const Interval &part) {
+                return part.lower <= middle && middle <= part.upper;
+            });
+            if (left_out || (along == found.along.end() && !is_inside(branch, middle))) {
                 continue;
             }
             const Course course = along == found.along.end() || !apart_ ? Course{} : along->course;
@@ -189,15 +268,21 @@ private:
         const bool closed = branch.nodes[0] < 0;
         MeetBranch own = branch;
         if (!whole) {
-            own.space = refine::restrict_axis(branch.space, 0, part.range.lower, part.range.upper);
-            own.on = refine::restrict_axis(branch.on, 0, part.range.lower, part.range.upper);
+            for (SplinePtr *curve : {&own.space, &own.on, &own.on_second}) {
+                *curve =
+                    *curve ? refine::restrict_axis(*curve, 0, part.range.lower, part.range.upper) : nullptr;
+            }
         }
         std::array<std::vector<BorderPlace>, 2> places;
         if (!whole || !closed) {
             const auto end = [&](double t, double of_branch, size_t i) {
-                const int64_t node = t != of_branch ? node_on(branch, t, NodeKind::border)
-                                     : closed       ? node_on(branch, t, NodeKind::seam)
-                                                    : kept(branch.nodes[i]);
+                const bool left = std::ranges::any_of(parts_left_out(branch), [t](const Interval &out) {
+                    return t == out.lower || t == out.upper;
+                });
+                const int64_t node = t != of_branch
+                                         ? node_on(branch, t, left ? NodeKind::edge : NodeKind::border)
+                                     : closed ? node_on(branch, t, NodeKind::seam)
+                                              : kept(branch.nodes[i]);
                 places[i] = places_at(node, branch, t, found);
                 return node;
             };
@@ -228,7 +313,7 @@ private:
         }
         const NodeKind kind = result_.nodes[static_cast<size_t>(node)].kind;
         if (places.empty() && (kind == NodeKind::border || kind == NodeKind::seam)) {
-            places = border_.nearest_to(result_.nodes[static_cast<size_t>(node)].at);
+            places = border_.nearest_to(place_of(result_.nodes[static_cast<size_t>(node)]));
         }
         return places;
     }
@@ -258,8 +343,10 @@ private:
 
     const Face &face_;
     const Meet &meet_;
+    size_t surface_; // that of the face, of two
     BorderPieces border_;
     bool apart_;
+    const PartsOfBranches &left_out_;
     std::vector<int64_t> new_node_;
     std::set<int64_t> cut_loops_;
     Meet result_;
@@ -269,12 +356,12 @@ private:
 
 } // namespace
 
-Meet trimmed(const Face &face, const Meet &meet) {
-    return Trimming(face, meet, false).run().meet;
+Meet trimmed(const Face &face, const Meet &meet, size_t surface, const PartsOfBranches &left_out) {
+    return Trimming(face, meet, surface, false, left_out).run().meet;
 }
 
 BorderedMeet trimmed_with_places(const Face &face, const Meet &meet) {
-    return Trimming(face, meet, true).run();
+    return Trimming(face, meet, 0, true, {}).run();
 }
 
 } // namespace nrb::face

@@ -14,9 +14,13 @@ namespace nrb::face {
 
 // The parts of the branches of a meet of the face's surface that are inside of its loops, by where their curves in the parameter
 // domain cross those of the loops (curve_curve()); they end in nodes on the border. A closed branch that is cut is cut where it
-// begins as well, in a node of the kind seam. Touches whose middle is outside are left out; where crossings are undecided, and for
-// what is undecided before, there are undecided nodes. Precondition: both are of one surface.
-intersect::Meet trimmed(const Face &face, const intersect::Meet &meet);
+// begins as well, in a node of the kind seam. Touches whose middle is outside are left out, and parts of undecided nodes that are
+// outside all over; where crossings are undecided, and for what is undecided before, there are undecided nodes. `surface`: which one
+// of two the face is of, 0 or 1. `left_out`: of each branch, or of none, what is not kept though it is inside; what ends there does so in
+// a node of the kind edge. Precondition: both are of one surface, which may be continued beyond the domain of the face.
+using PartsOfBranches = std::vector<std::vector<Interval>>;
+intersect::Meet trimmed(const Face &face, const intersect::Meet &meet, size_t surface = 0,
+                        const PartsOfBranches &left_out = {});
 
 // How a branch runs: inside of the face, or along a curve of a loop, as that does or against it.
 enum class Direction : int8_t { inside, with_loop, against_loop };

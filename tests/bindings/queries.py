@@ -307,6 +307,18 @@ class Sections(unittest.TestCase):
         self.assertEqual(on_plane.knots[0].tolist(), on_ball.knots[0].tolist())
         near(meet.nodes_second.params, meet.nodes_second.ranges[:, :, 0])
 
+    def test_of_two_faces(self):
+        floor, wall = nurbs.plane([2, 0, 0], [0, 4, 0]), nurbs.plane([0, 4, 0], [0, 0, 2], [1, 0, -1])
+        whole = floor.meet(wall, 1e-9)
+        on_floor = nurbs.Face.create(floor, [1], [nurbs.circle(0.25, center=[0.5, 0.5])], tolerance=1e-9)
+        on_wall = nurbs.Face.create(wall, [1], [nurbs.circle(0.25, center=[0.75, 0.5])], tolerance=1e-9)
+        for trim, length in ((lambda m: m.trim(on_floor), 2), (lambda m: m.trim_second(on_wall), 2),
+                             (lambda m: m.trim(on_floor).trim_second(on_wall, work=10**9), 1)):
+            near(trim(whole).branch(0).space.length().value, length, by=1e-8)
+        both = on_floor.meet(on_wall, 1e-9, work=10**9)
+        near(both.branch(0).space.length().value, 1, by=1e-8)
+        self.assertEqual(both.kinds.tolist(), [nurbs.NURBS_BRANCH_CROSSING])
+
     def test_contours(self):
         ball = nurbs.sphere(2)
         self.assertEqual(ball.contours(nurbs.NURBS_CONTOUR_SILHOUETTE, [0, 0, 1], tolerance=1e-6).counts.branches, 1)

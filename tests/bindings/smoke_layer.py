@@ -100,7 +100,7 @@ class LayerCall:
         methods = [method for language in ("cpp", "rust") for method in self.step.method.entry.methods.get(language, ())]
         names = [*(method.name for method in methods), short, re.sub("^(curve|surface|create|list)_", "", short),
                  re.sub("^mesh_(surface|face|model)(_levels)?$", r"mesh\2", short)]
-        if short == "surface_intersections":  # of a curve with a surface
+        if short in ("surface_intersections", "face_intersections", "model_intersections"):  # of a curve with a surface
             names = ["meet"]
         if short == "mesh_triangles" and self.step.given("flags") == Number(0):
             names = ["vertex_triangles"]

@@ -73,6 +73,64 @@ static void a_ramp(void) {
     nurbs_meet_destroy(meet);
 }
 
+static nurbs_face *whole_face(const nurbs *g) {
+    nurbs_face *face = NULL;
+    CHECK_OK(nurbs_face_create(g, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    return face;
+}
+
+/* The square face of lower <= u, v <= upper. */
+static nurbs_face *square_face(const nurbs *g, double lower, double upper) {
+    const int32_t degree = 1;
+    const int64_t count = 5, one = 1;
+    const double knots[] = {0, 0, 1, 2, 3, 4, 4},
+                 points[] = {lower, lower, upper, lower, upper, upper, lower, upper, lower, lower};
+    nurbs *loop = NULL;
+    nurbs_face *face = NULL;
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 7, 2, points, 0, 0, NULL, 0, 0, &loop));
+    const nurbs *curves[] = {loop};
+    CHECK_OK(nurbs_face_create(g, 1, &one, curves, NULL, NULL, 1e-9, 0, NULL, &face));
+    nurbs_destroy(loop);
+    return face;
+}
+
+/* Of the line z = 1/2 on the ramp, 0 <= y <= 1, what is in a face of the ramp, in one of the level, where (x, y) = (3 u - 1,
+ * 3 v - 1), and in both. */
+static void in_faces(void) {
+    nurbs *a = ramp(), *b = level(0.5);
+    nurbs_face *first = square_face(a, 0.25, 0.75), *second = square_face(b, 0.45, 0.9);
+    nurbs_meet *meet = NULL, *parts[4] = {NULL};
+    CHECK_OK(nurbs_surface_intersections(a, b, 1e-9, &meet));
+    CHECK_OK(nurbs_meet_trim(meet, first, &parts[0]));
+    CHECK_OK(nurbs_meet_trim_second(meet, second, &parts[1]));
+    CHECK_OK(nurbs_meet_trim_second_with(parts[0], second, NULL, &parts[2]));
+    CHECK_OK(nurbs_meet_trim(parts[1], first, &parts[3]));
+    const double lower[] = {0.25, 0.35, 0.35, 0.35}, upper[] = {0.75, 1, 0.75, 0.75};
+    for (int i = 0; i < 4; ++i) {
+        int64_t branches = 0, ends[2] = {-1, -1};
+        int32_t complete = 0, kinds[most];
+        double params[2 * most], second_params[2 * most], deviation = 1;
+        CHECK_OK(nurbs_meet_counts(parts[i], &branches, NULL, &complete));
+        CHECK(branches == 1 && complete == 1);
+        CHECK_OK(nurbs_meet_branches(parts[i], 1, NULL, ends, NULL, &deviation, NULL));
+        CHECK(deviation <= 1e-9);
+        CHECK_OK(nurbs_meet_nodes(parts[i], most, NULL, kinds, params, NULL, NULL));
+        CHECK_OK(nurbs_meet_nodes_second(parts[i], most, second_params, NULL, NULL));
+        for (int k = 0; k < 2; ++k) {
+            const double y = k == 0 ? upper[i] : lower[i];
+            CHECK_INT(kinds[ends[k]], NURBS_NODE_BORDER);
+            CHECK(fabs(params[2 * ends[k] + 1] - y) < 1e-9);
+            CHECK(fabs(second_params[2 * ends[k] + 1] - (1 + y) / 3) < 1e-9);
+        }
+        nurbs_meet_destroy(parts[i]);
+    }
+    nurbs_face_destroy(first);
+    nurbs_face_destroy(second);
+    nurbs_destroy(a);
+    nurbs_destroy(b);
+    nurbs_meet_destroy(meet);
+}
+
 static nurbs *tube(double radius, const double *axis) {
     nurbs *g = NULL;
     const double center[] = {-3 * axis[0], -3 * axis[1], -3 * axis[2]};
@@ -201,10 +259,20 @@ static void refused_by_meets(void) {
     CHECK_FAILS(nurbs_meet_branch_second(section, 0, &on), NURBS_ERROR_INCOMPATIBLE, "one surface");
     CHECK_FAILS(nurbs_meet_nodes_second(section, 0, NULL, NULL, &count), NURBS_ERROR_INCOMPATIBLE,
                 "one surface");
-    nurbs_face *face = NULL;
-    CHECK_OK(nurbs_face_create(g, 0, NULL, NULL, NULL, NULL, 1e-6, 0, NULL, &face));
-    CHECK_FAILS(nurbs_meet_trim(meet, face, &trimmed), NURBS_ERROR_INCOMPATIBLE, "two surfaces");
+    nurbs_face *face = whole_face(g);
+    CHECK_FAILS(nurbs_meet_trim_second(section, face, &trimmed), NURBS_ERROR_INCOMPATIBLE, "one surface");
     CHECK(trimmed == NULL);
+    trimmed = (nurbs_meet *)(void *)check_poison();
+    CHECK_FAILS(nurbs_meet_trim_second(NULL, face, &trimmed), NURBS_ERROR_NULL, "meet is NULL");
+    CHECK(trimmed == NULL);
+    trimmed = (nurbs_meet *)(void *)check_poison();
+    CHECK_FAILS(nurbs_meet_trim_second(meet, NULL, &trimmed), NURBS_ERROR_NULL, "face is NULL");
+    CHECK(trimmed == NULL);
+    CHECK_FAILS(nurbs_meet_trim_second(meet, face, NULL), NURBS_ERROR_NULL, "out");
+    nurbs_call_options call;
+    CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    call.struct_size = 1;
+    CHECK_FAILS(nurbs_meet_trim_second_with(meet, face, &call, &trimmed), NURBS_ERROR_OPTIONS, "struct_size");
     nurbs_face_destroy(face);
     nurbs_destroy(g);
     nurbs_meet_destroy(section);
@@ -213,6 +281,7 @@ static void refused_by_meets(void) {
 
 int main(void) {
     a_ramp();
+    in_faces();
     tubes();
     apart_and_one();
     watched();

@@ -340,6 +340,45 @@ void use_sections(const nurbs_model *model, const Counts &n, bool plain) {
     }
 }
 
+// A floor through what is read.
+Model floor_model() {
+    const double origin[] = {-100, -100, 0.25}, u[] = {200, 0, 1}, v[] = {0, 200, 0};
+    nurbs *g = nullptr;
+    FUZZ_REQUIRE(nurbs_surface_plane(3, origin, u, v, &g) == NURBS_OK);
+    const fuzz::Handle surface(g);
+    nurbs_face *face = nullptr;
+    nurbs_model *model = nullptr;
+    FUZZ_REQUIRE(nurbs_face_create(g, 0, nullptr, nullptr, nullptr, nullptr, 1e-6, 0, nullptr, &face) ==
+                 NURBS_OK);
+    const nurbs_status status = nurbs_model_create(1, &face, 1, &model);
+    nurbs_face_destroy(face);
+    FUZZ_REQUIRE(status == NURBS_OK);
+    return Model(model);
+}
+
+void use_meets(const nurbs_model *model, const Counts &n, bool plain) {
+    const int64_t instances = use_instances(model, n);
+    if (instances < 0 || instances > 16 || n.faces > 8) {
+        return;
+    }
+    static const Model ground = floor_model();
+    const nurbs_call_options call = limited(3'000'000);
+    nurbs_meet *meet = nullptr;
+    if (!FUZZ_OK(plain ? nurbs_model_intersections(model, ground.get(), 1e-3, &meet)
+                       : nurbs_model_intersections_with(model, ground.get(), 1e-3, &call, &meet))) {
+        FUZZ_REQUIRE(meet == nullptr);
+        return;
+    }
+    look_at_sections(meet, n, instances);
+    int64_t branches = 0, nodes = 0;
+    FUZZ_REQUIRE(nurbs_meet_counts(meet, &branches, &nodes, nullptr) == NURBS_OK);
+    std::vector<int64_t> faces(static_cast<size_t>(branches)), of_nodes(static_cast<size_t>(nodes));
+    FUZZ_REQUIRE(nurbs_meet_faces_second(meet, branches, faces.data(), nullptr, nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(nurbs_meet_joints_second(meet, nodes, of_nodes.data(), nullptr, nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(std::ranges::count(faces, 0) == branches && std::ranges::count(of_nodes, 0) == nodes);
+    nurbs_meet_destroy(meet);
+}
+
 void use(const nurbs_model *model, bool all_edges, bool plain) {
     const Counts n = counts_of(model);
     use_layers(model, n);
@@ -360,6 +399,7 @@ void use(const nurbs_model *model, bool all_edges, bool plain) {
     use_nearest(model, n, plain);
     use_volume(model, n, plain);
     use_sections(model, n, plain);
+    use_meets(model, n, plain);
     nurbs_list *list = nullptr;
     FUZZ_REQUIRE(nurbs_model_splines(model, &list) == NURBS_OK && list != nullptr);
     const List owner(list);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace {
@@ -93,6 +94,54 @@ void look_at(const nurbs_meet *found) {
     }
 }
 
+struct DestroyFace {
+    void operator()(nurbs_face *face) const noexcept { nurbs_face_destroy(face); }
+};
+using Face = std::unique_ptr<nurbs_face, DestroyFace>;
+
+// All of a surface.
+Face face_of(const nurbs *g) {
+    nurbs_face *face = nullptr;
+    FUZZ_OK(nurbs_face_create(g, 0, nullptr, nullptr, nullptr, nullptr, 1e-6, 0, nullptr, &face));
+    return Face(face);
+}
+
+void look_at_kinds(const nurbs_meet *found) {
+    int64_t count = 0;
+    FUZZ_REQUIRE(nurbs_meet_kinds(found, 0, nullptr, &count) == NURBS_OK);
+    std::vector<int32_t> kinds(static_cast<size_t>(count));
+    FUZZ_REQUIRE(nurbs_meet_kinds(found, count, kinds.data(), nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(std::ranges::all_of(
+        kinds, [](int32_t kind) { return kind >= NURBS_BRANCH_CROSSING && kind <= NURBS_BRANCH_CONTACT; }));
+}
+
+// What lies in a face of each, in one after the other and in both at once: branches lie in the domains that they lay in.
+void look_at_parts(const nurbs_meet *found, const nurbs *a, const nurbs *b, double tolerance,
+                   const nurbs_call_options &call, bool plain) {
+    const Face first = face_of(a), second = face_of(b);
+    if (!first || !second) {
+        return;
+    }
+    nurbs_meet *part = nullptr, *both = nullptr;
+    if (FUZZ_OK(nurbs_meet_trim_with(found, first.get(), &call, &part))) {
+        look_at(part);
+        if (plain ? FUZZ_OK(nurbs_meet_trim_second(part, second.get(), &both))
+                  : FUZZ_OK(nurbs_meet_trim_second_with(part, second.get(), &call, &both))) {
+            look_at(both);
+            nurbs_meet_destroy(both);
+        }
+        nurbs_meet_destroy(part);
+    }
+    nurbs_meet *own = nullptr;
+    FUZZ_REQUIRE(!FUZZ_OK(nurbs_face_intersections(first.get(), second.get(), -tolerance, &own)) &&
+                 own == nullptr);
+    if (FUZZ_OK(nurbs_face_intersections_with(first.get(), second.get(), tolerance, &call, &own))) {
+        look_at(own);
+        look_at_kinds(own);
+        nurbs_meet_destroy(own);
+    }
+}
+
 void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t work) {
     nurbs_call_options call;
     FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
@@ -100,6 +149,7 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
     nurbs_meet *found = nullptr;
     if (FUZZ_OK(nurbs_surface_intersections_with(a, b, tolerance, &call, &found))) {
         look_at(found);
+        look_at_parts(found, a, b, tolerance, call, work % 16 == 0);
         nurbs_meet_destroy(found);
     } else {
         FUZZ_REQUIRE(found == nullptr);

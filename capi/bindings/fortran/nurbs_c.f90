@@ -3188,6 +3188,27 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_intersections_with
+        !> Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of
+        !> the loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that
+        !> they share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model
+        !> meet in their edges.
+        function nurbs_face_intersections(a, b, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_intersections
+        !> nurbs_face_intersections() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_face_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_intersections_with
         !> Another handle on the same meet, in constant time.
         function nurbs_meet_clone(meet, out) bind(c) result(r)
             import
@@ -3217,6 +3238,15 @@ module nurbs_c
             real(c_double), intent(inout), optional :: deviations(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_branches
+        !> What the branches of a meet are.
+        function nurbs_meet_kinds(meet, cap, kinds, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int32_t), intent(inout), optional :: kinds(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_kinds
         !> A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
         function nurbs_meet_branch(meet, index, space, on_surface) bind(c) result(r)
             import
@@ -3270,6 +3300,15 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
             integer(c_int32_t) :: r
         end function nurbs_meet_faces
+        !> Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in
+        !> other meets.
+        function nurbs_meet_faces_second(meet, cap, own_faces, own_instances, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_faces_second
         !> How ways go on at the nodes of a meet, and on which faces of a model these are.
         function nurbs_meet_joints(meet, cap, next_nodes, gaps, own_faces, own_instances, count) bind(c) &
                 result(r)
@@ -3281,6 +3320,14 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gaps(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_joints
+        !> On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+        function nurbs_meet_joints_second(meet, cap, own_faces, own_instances, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_joints_second
         !> What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
         !> BORDER on them, and the nodes of these parts.
         function nurbs_meet_trim(meet, face, out) bind(c) result(r)
@@ -3297,6 +3344,23 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_meet_trim_with
+        !> What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of
+        !> the first: curves in the domain of the second surface are cut where they cross the loops, and all
+        !> curves of a branch with them.
+        function nurbs_meet_trim_second(meet, face, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet, face
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_meet_trim_second
+        !> nurbs_meet_trim_second() as a call that can be watched and ended.
+        function nurbs_meet_trim_second_with(meet, face, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet, face
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_meet_trim_second_with
         ! --- Weights and control points
         !> Changes a weight so that the point at a parameter moves by a distance towards the control point, or
         !> away from it if the distance is negative.
@@ -4464,6 +4528,24 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_sections_with
+        !> Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined
+        !> to ways over the edges that faces share: the curves of a union, a difference or an intersection.
+        function nurbs_model_intersections(a, b, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_intersections
+        !> nurbs_model_intersections() as a call that can be watched and ended.
+        function nurbs_model_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_model_intersections_with
         !> Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
         function nurbs_model_area(model, relative_tolerance, area, error) bind(c) result(r)
             import

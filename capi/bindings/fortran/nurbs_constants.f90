@@ -469,6 +469,13 @@ module nurbs_constants
     ! the same with v = S - eye: seen from the point eye
     integer(c_int32_t), parameter :: NURBS_REFLECTION_FROM = 3
 
+    ! --- Kinds of branches
+    ! what surfaces, or a surface and a plane, have in common
+    integer(c_int32_t), parameter :: NURBS_BRANCH_CROSSING = 1
+    integer(c_int32_t), parameter :: NURBS_BRANCH_EDGE = 2  ! an edge that two faces share
+    ! one at which both faces have the same tangent planes, somewhere at least
+    integer(c_int32_t), parameter :: NURBS_BRANCH_CONTACT = 3
+
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_VALUE = 0

@@ -6,12 +6,14 @@ module nurbs_meets
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
-        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_meet_counts, nurbs_meet_branches, &
-        nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, nurbs_meet_nodes_second, nurbs_meet_ways, &
-        nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, nurbs_surface_sections_with, &
-        nurbs_surface_contours_with, nurbs_surface_reflections_with, nurbs_surface_level_with, &
-        nurbs_surface_level_curves_with, nurbs_surface_intersections_with, nurbs_model_sections_with, &
-        nurbs_meet_trim_with
+        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_face_intersections, nurbs_meet_counts, &
+        nurbs_meet_branches, nurbs_meet_kinds, nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, &
+        nurbs_meet_nodes_second, nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_faces_second, nurbs_meet_joints, &
+        nurbs_meet_joints_second, nurbs_model_sections, nurbs_model_intersections, nurbs_meet_trim, &
+        nurbs_meet_trim_second, nurbs_surface_sections_with, nurbs_surface_contours_with, &
+        nurbs_surface_reflections_with, nurbs_surface_level_with, nurbs_surface_level_curves_with, &
+        nurbs_surface_intersections_with, nurbs_face_intersections_with, nurbs_model_sections_with, &
+        nurbs_model_intersections_with, nurbs_meet_trim_with, nurbs_meet_trim_second_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -24,8 +26,9 @@ module nurbs_meets
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, reflections, level, level_curves, surfaces, counts, branches, branch
-        procedure :: branch_second, nodes, nodes_second, ways, faces, joints, model_sections, trimmed
+        procedure :: sections, contours, reflections, level, level_curves, surfaces, of_faces, counts, branches, kinds
+        procedure :: branch, branch_second, nodes, nodes_second, ways, faces, faces_second, joints, joints_second
+        procedure :: model_sections, of_models, trimmed, trimmed_second
     end type nurbs_meet
 
 contains
@@ -161,6 +164,24 @@ contains
         call settle(code, status)
     end subroutine surfaces
 
+    !> Where two faces meet: in the edges that they share, and in curves inside of both.
+    subroutine of_faces(this, a, b, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_face), intent(in) :: a, b
+        real(c_double), intent(in) :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_face_intersections_with(a%handle, b%handle, tolerance, watched(call), made)
+        else
+            code = nurbs_face_intersections(a%handle, b%handle, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_faces
+
     !> How much it holds.
     subroutine counts(this, branches, nodes, complete, status)
         class(nurbs_meet), intent(in) :: this
@@ -197,6 +218,21 @@ contains
         end if
         call settle(code, status)
     end subroutine branches
+
+    !> What the branches are, one of the NURBS_BRANCH_ constants each.
+    subroutine kinds(this, kinds, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_kinds(this%handle, 0_c_int64_t, count=n)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (kinds(n))
+        if (code == NURBS_OK) code = nurbs_meet_kinds(this%handle, n, kinds)
+        call settle(code, status)
+    end subroutine kinds
 
     !> The curves of a branch, with common knots: in space, and in the parameter domain.
     subroutine branch(this, index, space, on_surface, status)
@@ -312,6 +348,26 @@ contains
         call settle(code, status)
     end subroutine faces
 
+    !> The faces of the second of two models on which the branches are.
+    subroutine faces_second(this, own_faces, own_instances, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: own_faces(:), own_instances(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_faces_second(this%handle, 0_c_int64_t, count=n)
+        if (allocated(own_faces)) deallocate (own_faces)
+        if (allocated(own_instances)) deallocate (own_instances)
+        allocate (own_faces(n), own_instances(n))
+        if (code == NURBS_OK) code = nurbs_meet_faces_second(this%handle, n, own_faces, own_instances)
+        if (code == NURBS_OK) then
+            own_faces = own_faces + 1
+            own_instances = own_instances + 1
+        end if
+        call settle(code, status)
+    end subroutine faces_second
+
     !> How ways go on at the nodes, and on which faces of a model these are.
     subroutine joints(this, next_nodes, gaps, own_faces, own_instances, status)
         class(nurbs_meet), intent(in) :: this
@@ -335,6 +391,26 @@ contains
         end if
         call settle(code, status)
     end subroutine joints
+
+    !> The faces of the second of two models on which the nodes are.
+    subroutine joints_second(this, own_faces, own_instances, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int64_t), allocatable, intent(inout) :: own_faces(:), own_instances(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_joints_second(this%handle, 0_c_int64_t, count=n)
+        if (allocated(own_faces)) deallocate (own_faces)
+        if (allocated(own_instances)) deallocate (own_instances)
+        allocate (own_faces(n), own_instances(n))
+        if (code == NURBS_OK) code = nurbs_meet_joints_second(this%handle, n, own_faces, own_instances)
+        if (code == NURBS_OK) then
+            own_faces = own_faces + 1
+            own_instances = own_instances + 1
+        end if
+        call settle(code, status)
+    end subroutine joints_second
 
     !> Where planes cut the faces of a model, joined to ways over the edges that faces share.
     subroutine model_sections(this, model, normals, offsets, tolerance, status, call)
@@ -361,6 +437,24 @@ contains
         call settle(code, status)
     end subroutine model_sections
 
+    !> Where the faces of two models meet, joined to ways over the edges that faces share.
+    subroutine of_models(this, a, b, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_model), intent(in) :: a, b
+        real(c_double), intent(in) :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_model_intersections_with(a%handle, b%handle, tolerance, watched(call), made)
+        else
+            code = nurbs_model_intersections(a%handle, b%handle, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_models
+
     !> What of the branches lies in a face of the surface that they are on.
     subroutine trimmed(this, meet, face, status, call)
         class(nurbs_meet), intent(inout) :: this
@@ -378,4 +472,22 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine trimmed
+
+    !> What of the branches of two surfaces lies in a face of the second one.
+    subroutine trimmed_second(this, meet, face, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_meet), intent(in) :: meet
+        class(nurbs_face), intent(in) :: face
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_meet_trim_second_with(meet%handle, face%handle, watched(call), made)
+        else
+            code = nurbs_meet_trim_second(meet%handle, face%handle, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine trimmed_second
 end module nurbs_meets

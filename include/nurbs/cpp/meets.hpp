@@ -25,6 +25,11 @@ inline constexpr std::int32_t node_touch = NURBS_NODE_TOUCH;
 inline constexpr std::int32_t node_undecided = NURBS_NODE_UNDECIDED;
 inline constexpr std::int32_t node_edge = NURBS_NODE_EDGE;
 
+/// What a branch is.
+inline constexpr std::int32_t branch_crossing = NURBS_BRANCH_CROSSING;
+inline constexpr std::int32_t branch_edge = NURBS_BRANCH_EDGE;
+inline constexpr std::int32_t branch_contact = NURBS_BRANCH_CONTACT;
+
 /// Kinds of contours.
 inline constexpr std::int32_t contour_silhouette = NURBS_CONTOUR_SILHOUETTE;
 inline constexpr std::int32_t contour_perspective = NURBS_CONTOUR_PERSPECTIVE;
@@ -188,6 +193,16 @@ public:
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_surface_intersections_with, a.get(), b.get(), tolerance, watch.get());
     }
+    /// Where two faces meet: in the edges that they share, and in curves inside of both.
+    [[nodiscard]] static Returned<Meet> of_faces(const Face &a, const Face &b, double tolerance) {
+        return detail::made<Meet>(nurbs_face_intersections, a.get(), b.get(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> of_faces(const Face &a, const Face &b, double tolerance,
+                                                 const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_face_intersections_with, a.get(), b.get(), tolerance, watch.get());
+    }
     /// How much it holds.
     [[nodiscard]] Returned<MeetCounts> counts() const {
         MeetCounts found{};
@@ -211,6 +226,18 @@ public:
         found.deviations = detail::room(count);
         ask(count);
         return found;
+    }
+    /// What the branches are, one of the branch_ constants each.
+    [[nodiscard]] Returned<std::vector<std::int32_t>> kinds() const {
+        std::vector<std::int32_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_kinds, get(), cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int32_t>(count);
+        ask(count);
+        return values;
     }
     /// The curves of a branch, with common knots: in space, and in the parameter domain.
     [[nodiscard]] Returned<std::pair<Spline, Spline>> branch(std::int64_t index) const {
@@ -282,6 +309,20 @@ public:
         ask(count);
         return found;
     }
+    /// The faces of the second of two models on which the branches are.
+    [[nodiscard]] Returned<MeetFaces> faces_second() const {
+        MeetFaces found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_faces_second, get(), cap, found.faces.data(), found.instances.data(),
+                         &count);
+        };
+        ask(0);
+        found.faces = detail::room<std::int64_t>(count);
+        found.instances = detail::room<std::int64_t>(count);
+        ask(count);
+        return found;
+    }
     /// How ways go on at the nodes, and on which faces of a model these are.
     [[nodiscard]] Returned<MeetJoints> joints() const {
         MeetJoints found{};
@@ -293,6 +334,20 @@ public:
         ask(0);
         found.next_nodes = detail::room<std::int64_t>(count);
         found.gaps = detail::room(count);
+        found.faces = detail::room<std::int64_t>(count);
+        found.instances = detail::room<std::int64_t>(count);
+        ask(count);
+        return found;
+    }
+    /// The faces of the second of two models on which the nodes are.
+    [[nodiscard]] Returned<MeetFaces> joints_second() const {
+        MeetFaces found{};
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_joints_second, get(), cap, found.faces.data(), found.instances.data(),
+                         &count);
+        };
+        ask(0);
         found.faces = detail::room<std::int64_t>(count);
         found.instances = detail::room<std::int64_t>(count);
         ask(count);
@@ -316,6 +371,16 @@ public:
         return detail::made<Meet>(nurbs_model_sections_with, model.get(), n, normals.data(), offsets.data(),
                                   tolerance, watch.get());
     }
+    /// Where the faces of two models meet, joined to ways over the edges that faces share.
+    [[nodiscard]] static Returned<Meet> of_models(const Model &a, const Model &b, double tolerance) {
+        return detail::made<Meet>(nurbs_model_intersections, a.get(), b.get(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> of_models(const Model &a, const Model &b, double tolerance,
+                                                  const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_model_intersections_with, a.get(), b.get(), tolerance, watch.get());
+    }
     /// What of the branches lies in a face of the surface that they are on.
     [[nodiscard]] static Returned<Meet> trimmed(const Meet &meet, const Face &face) {
         return detail::made<Meet>(nurbs_meet_trim, meet.get(), face.get());
@@ -324,6 +389,16 @@ public:
     [[nodiscard]] static Returned<Meet> trimmed(const Meet &meet, const Face &face, const CallOptions &call) {
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_meet_trim_with, meet.get(), face.get(), watch.get());
+    }
+    /// What of the branches of two surfaces lies in a face of the second one.
+    [[nodiscard]] static Returned<Meet> trimmed_second(const Meet &meet, const Face &face) {
+        return detail::made<Meet>(nurbs_meet_trim_second, meet.get(), face.get());
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> trimmed_second(const Meet &meet, const Face &face,
+                                                       const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_meet_trim_second_with, meet.get(), face.get(), watch.get());
     }
 };
 

@@ -29,6 +29,42 @@ void Meet::append(Meet other) {
     complete = complete && other.complete;
 }
 
+void Meet::tidy_nodes() {
+    std::vector<bool> stays(nodes.size(), false);
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        stays[i] = nodes[i].kind == NodeKind::touch || nodes[i].kind == NodeKind::undecided;
+    }
+    for (const MeetBranch &branch : branches) {
+        for (const int64_t node : branch.nodes) {
+            if (node >= 0) {
+                stays[static_cast<size_t>(node)] = true;
+            }
+        }
+    }
+    std::vector<size_t> order;
+    for (size_t i = 0; i < stays.size(); ++i) {
+        if (stays[i]) {
+            order.push_back(i);
+        }
+    }
+    std::ranges::sort(order, {}, [&](size_t i) { return std::pair(nodes[i].level, i); });
+    std::vector<int64_t> place(nodes.size(), -1);
+    std::vector<MeetNode> kept;
+    for (const size_t i : order) {
+        place[i] = std::ssize(kept);
+        kept.push_back(nodes[i]);
+    }
+    const auto renumber = [&](int64_t &node) { node = node < 0 ? node : place[static_cast<size_t>(node)]; };
+    for (MeetNode &node : kept) {
+        renumber(node.next);
+        complete = complete && node.kind != NodeKind::undecided;
+    }
+    for (MeetBranch &branch : branches) {
+        std::ranges::for_each(branch.nodes, renumber);
+    }
+    nodes = std::move(kept);
+}
+
 namespace {
 
 class Ways {
@@ -114,6 +150,17 @@ private:
 
 Meet arranged(Meet meet) {
     return Ways(std::move(meet)).run();
+}
+
+Meet with_loops(Meet meet) {
+    int64_t loops = 0;
+    for (const MeetWay &way : meet.ways) {
+        for (int64_t i = 0; way.closed && i < way.count; ++i) {
+            meet.branches[static_cast<size_t>(way.first + i)].loop = loops;
+        }
+        loops += way.closed ? 1 : 0;
+    }
+    return meet;
 }
 
 } // namespace nrb::intersect

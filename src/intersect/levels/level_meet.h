@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace nrb::intersect {
@@ -29,6 +30,13 @@ struct MeetNode {
     double gap = 0;                   // in space, to the node that goes on
     std::array<double, 2> at_second{}; // the same on the other surface, of two
     std::array<Interval, 2> range_second{};
+    int64_t second_face = -1, second_instance = -1; // of the other model, of two
+};
+
+enum class BranchKind : int32_t {
+    crossing = 1, // what two surfaces, or a surface and a plane, have in common
+    edge = 2,     // an edge that two faces have in common
+    contact = 3,  // one at which both have the same tangent planes, somewhere at least
 };
 
 // Curves with common knots, in space and in the parameter domain.
@@ -40,6 +48,8 @@ struct MeetBranch {
     int64_t loop;                     // the closed way that it is part of, or all of; -1: of none
     int64_t face = -1, instance = -1; // of a model
     SplinePtr on_second = nullptr;    // in the domain of the other surface, of two
+    BranchKind kind = BranchKind::crossing;
+    int64_t second_face = -1, second_instance = -1; // of the other model, of two
 };
 
 // Branches one after the other, each of which goes on where the one before ends.
@@ -56,12 +66,19 @@ struct Meet {
     std::vector<MeetWay> ways; // of arranged()
     bool complete = true;      // no node is undecided
     bool of_two = false;       // surfaces: branches and nodes are on a second one, too
+    // Of each of two surfaces: the domains of axes that are periodic, on which branches may run into neighbouring periods.
+    std::array<std::array<std::optional<Interval>, 2>, 2> periodic{};
 
     // That of other levels.
     void append(Meet other);
+    // Nodes that no branch has any more go, but for those that tell of parts; the others by their levels. Undecided ones are seen.
+    void tidy_nodes();
 };
 
 // With its ways, of which the branches follow each other, those of a level by their first branches.
 Meet arranged(Meet meet);
+
+// With the loops that its ways are.
+Meet with_loops(Meet meet);
 
 } // namespace nrb::intersect

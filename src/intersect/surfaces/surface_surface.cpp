@@ -15,6 +15,16 @@ std::array<int, 2> degrees_of(const Spline &surface) noexcept {
     return {surface.axis(0).degree(), surface.axis(1).degree()};
 }
 
+std::array<std::optional<Interval>, 2> periodic_axes_of(const Spline &surface) {
+    std::array<std::optional<Interval>, 2> domains;
+    for (int k = 0; k < 2; ++k) {
+        if (surface.axis(k).periodic()) {
+            domains[static_cast<size_t>(k)] = surface.axis(k).domain();
+        }
+    }
+    return domains;
+}
+
 } // namespace
 
 Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
@@ -28,6 +38,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     CrossChains chains = cross_chains(on_a, on_b, found);
     Meet meet;
     meet.of_two = true;
+    meet.periodic = {periodic_axes_of(a), periodic_axes_of(b)};
     meet.nodes = std::move(chains.nodes);
     meet.complete = std::ranges::none_of(
         meet.nodes, [](const MeetNode &node) { return node.kind == NodeKind::undecided; });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/rays/face_place.h"
 
-#include "face/open_ends.h"
+#include "face/face_box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,30 +34,8 @@ intersect::Box3 box_between(const face::Face &face, const face::Point2 &a, const
 
 // A coordinate that does not close is largest and smallest on the boundary.
 intersect::Box3 face_box(const face::Face &face) {
-    const face::Covering &covering = face.covering();
-    face::Point2 lower{infinity, infinity}, upper{-infinity, -infinity};
-    const auto add = [&](const face::Point2 &x) {
-        for (size_t k = 0; k < 2; ++k) {
-            lower[k] = std::min(lower[k], x[k]);
-            upper[k] = std::max(upper[k], x[k]);
-        }
-    };
-    for (const face::TrimPiece &piece : face.trims().pieces().all()) {
-        add(piece.lower);
-        add(piece.upper);
-    }
-    for (const face::EndPart &part : face::open_ends(face)) {
-        add(part.from);
-        add(part.to);
-    }
-    for (size_t k = 0; k < 2; ++k) {
-        const int axis = static_cast<int>(k);
-        if (covering.closed(axis) || !(lower[k] <= upper[k])) {
-            lower[k] = covering.domain(axis).lower;
-            upper[k] = covering.domain(axis).upper;
-        }
-    }
-    return box_between(face, lower, upper);
+    const auto &[u, v] = face::smallest_rectangle(face);
+    return box_between(face, {u.lower, v.lower}, {u.upper, v.upper});
 }
 
 } // namespace nrb::model

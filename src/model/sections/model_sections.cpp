@@ -76,55 +76,6 @@ FaceSections cut_faces(const Model &model, const SharedBorders &borders,
     return found;
 }
 
-// Those that no branch has any more go; the others by their levels.
-void tidy_nodes(Meet &meet) {
-    std::vector<bool> stays(meet.nodes.size(), false);
-    for (size_t i = 0; i < meet.nodes.size(); ++i) {
-        const NodeKind kind = meet.nodes[i].kind;
-        stays[i] = kind == NodeKind::touch || kind == NodeKind::undecided;
-    }
-    for (const MeetBranch &branch : meet.branches) {
-        for (const int64_t node : branch.nodes) {
-            if (node >= 0) {
-                stays[static_cast<size_t>(node)] = true;
-            }
-        }
-    }
-    std::vector<size_t> order;
-    for (size_t i = 0; i < stays.size(); ++i) {
-        if (stays[i]) {
-            order.push_back(i);
-        }
-    }
-    std::ranges::sort(order, {}, [&](size_t i) { return std::pair(meet.nodes[i].level, i); });
-    std::vector<int64_t> place(meet.nodes.size(), -1);
-    std::vector<MeetNode> nodes;
-    for (const size_t i : order) {
-        place[i] = std::ssize(nodes);
-        nodes.push_back(meet.nodes[i]);
-    }
-    const auto renumber = [&](int64_t &node) { node = node < 0 ? node : place[static_cast<size_t>(node)]; };
-    for (MeetNode &node : nodes) {
-        renumber(node.next);
-        meet.complete = meet.complete && node.kind != NodeKind::undecided;
-    }
-    for (MeetBranch &branch : meet.branches) {
-        std::ranges::for_each(branch.nodes, renumber);
-    }
-    meet.nodes = std::move(nodes);
-}
-
-Meet with_loops(Meet meet) {
-    int64_t loops = 0;
-    for (const intersect::MeetWay &way : meet.ways) {
-        for (int64_t i = 0; way.closed && i < way.count; ++i) {
-            meet.branches[static_cast<size_t>(way.first + i)].loop = loops;
-        }
-        loops += way.closed ? 1 : 0;
-    }
-    return meet;
-}
-
 } // namespace
 
 Meet model_sections(const Model &model, std::span<const SectionPlane> planes, double tolerance) {
@@ -143,7 +94,7 @@ Meet model_sections(const Model &model, std::span<const SectionPlane> planes, do
     const SharedBorders borders(model);
     FaceSections found = cut_faces(model, borders, instances, placements, sorted(own), tolerance);
     SectionJoints(model, borders, placements, normals, found).run();
-    tidy_nodes(found.meet);
+    found.meet.tidy_nodes();
     return with_loops(arranged(std::move(found.meet)));
 }
 

@@ -926,6 +926,18 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("face_intersections");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Face upright = n::Face::create(wall, {}, {}, {}, {}, 0.001, 0u);
+        const auto found = n::Meet::of_faces(in.face, upright, 0.1);
+        show("out", found);
+    }
+    {
+        begin("meet_kinds");
+        const auto found = in.meet.kinds();
+        show("kinds", found);
+    }
+    {
         begin("model_sections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -933,6 +945,27 @@ void data(const Inputs &in) {
         const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
         const auto found = n::Meet::model_sections(ball, {0.0, 0.0, 1.0}, {0.1}, 0.1);
         show("out", found);
+    }
+    {
+        begin("model_intersections");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = n::Meet::of_models(in.model, ball, 0.1);
+        show("out", found);
+    }
+    {
+        begin("meet_faces_second");
+        const auto found = in.meet.faces_second();
+        show("own_faces", found.faces);
+        show("own_instances", found.instances);
+    }
+    {
+        begin("meet_joints_second");
+        const auto found = in.meet.joints_second();
+        show("own_faces", found.faces);
+        show("own_instances", found.instances);
     }
     {
         begin("meet_ways");
@@ -969,6 +1002,13 @@ void data(const Inputs &in) {
     {
         begin("meet_trim");
         const auto found = n::Meet::trimmed(in.meet, in.face);
+        show("out", found);
+    }
+    {
+        begin("meet_trim_second");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
+        const auto found = n::Meet::trimmed_second(crossing, in.face);
         show("out", found);
     }
     by_hand("mesh_options_init");
@@ -1483,6 +1523,13 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("face_intersections_with");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Face upright = n::Face::create(wall, {}, {}, {}, {}, 0.001, 0u);
+        const auto found = n::Meet::of_faces(in.face, upright, 0.1, watched());
+        show("out", found);
+    }
+    {
         begin("model_sections_with");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -1492,8 +1539,24 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("model_intersections_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const n::Face ball_face = n::Face::create(sphere, {}, {}, {}, {}, 1e-09, 0u);
+        const n::Model ball = n::Model::create(std::vector<n::Face>{ball_face}, 1.0);
+        const auto found = n::Meet::of_models(in.model, ball, 0.1, watched());
+        show("out", found);
+    }
+    {
         begin("meet_trim_with");
         const auto found = n::Meet::trimmed(in.meet, in.face, watched());
+        show("out", found);
+    }
+    {
+        begin("meet_trim_second_with");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const n::Meet crossing = n::Meet::surfaces(in.surface, wall, 0.01);
+        const auto found = n::Meet::trimmed_second(crossing, in.face, watched());
         show("out", found);
     }
     {

@@ -1865,6 +1865,23 @@ contains
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0)
             call show('out', found)
         end block
+        call begin('face_intersections')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_face) :: upright
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call upright%create(surface=wall, tolerance=0.001d0, flags=0)
+            call found%of_faces(a=face, b=upright, tolerance=0.1d0)
+            call show('out', found)
+        end block
+        call begin('meet_kinds')
+        block
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            call meet%kinds(kinds=kinds_found)
+            call show('kinds', kinds_found)
+        end block
         call begin('model_sections')
         block
             type(nurbs_spline) :: sphere
@@ -1879,6 +1896,36 @@ contains
             call found%model_sections(model=ball, normals=reshape([0.0d0, 0.0d0, 1.0d0], [1, 3], order=[2, 1]), &
                 offsets=[0.1d0], tolerance=0.1d0)
             call show('out', found)
+        end block
+        call begin('model_intersections')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call found%of_models(a=model, b=ball, tolerance=0.1d0)
+            call show('out', found)
+        end block
+        call begin('meet_faces_second')
+        block
+            integer(c_int64_t), allocatable :: own_faces_found(:)
+            integer(c_int64_t), allocatable :: own_instances_found(:)
+            call meet%faces_second(own_faces=own_faces_found, own_instances=own_instances_found)
+            call show('own_faces', own_faces_found - 1)
+            call show('own_instances', own_instances_found - 1)
+        end block
+        call begin('meet_joints_second')
+        block
+            integer(c_int64_t), allocatable :: own_faces_found(:)
+            integer(c_int64_t), allocatable :: own_instances_found(:)
+            call meet%joints_second(own_faces=own_faces_found, own_instances=own_instances_found)
+            call show('own_faces', own_faces_found - 1)
+            call show('own_instances', own_instances_found - 1)
         end block
         call begin('meet_ways')
         block
@@ -1935,6 +1982,17 @@ contains
         block
             type(nurbs_meet) :: found
             call found%trimmed(meet=meet, face=face)
+            call show('out', found)
+        end block
+        call begin('meet_trim_second')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: crossing
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
+            call found%trimmed_second(meet=crossing, face=face)
             call show('out', found)
         end block
         call by_hand('mesh_options_init')
@@ -2738,6 +2796,18 @@ contains
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
+        call begin('face_intersections_with')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_face) :: upright
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call upright%create(surface=wall, tolerance=0.001d0, flags=0)
+            call found%of_faces(a=face, b=upright, tolerance=0.1d0, call=watching)
+            call show('out', found)
+        end block
         call begin('model_sections_with')
         block
             type(nurbs_spline) :: sphere
@@ -2754,11 +2824,38 @@ contains
                 offsets=[0.1d0], tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
+        call begin('model_intersections_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_face) :: ball_face
+            type(nurbs_model) :: ball
+            type(nurbs_face) :: faces_given(1)
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call ball_face%create(surface=sphere, sizes=[integer(c_int32_t) ::], tolerance=1d-09, flags=0)
+            faces_given(1) = ball_face
+            call ball%create(faces=faces_given, metres=1.0d0)
+            call found%of_models(a=model, b=ball, tolerance=0.1d0, call=watching)
+            call show('out', found)
+        end block
         call begin('meet_trim_with')
         block
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
             call found%trimmed(meet=meet, face=face, call=watching)
+            call show('out', found)
+        end block
+        call begin('meet_trim_second_with')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: crossing
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call crossing%surfaces(a=surface, b=wall, tolerance=0.01d0)
+            call found%trimmed_second(meet=crossing, face=face, call=watching)
             call show('out', found)
         end block
         call begin('mesh_surface_with')

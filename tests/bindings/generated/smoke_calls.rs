@@ -1577,6 +1577,25 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::surfaces(&wall, &given.surface, 0.1)?;
         show("out", &found);
     }
+    begin("face_intersections");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let upright = Face::create(&wall, &[], &[], &[], &[], 0.001, 0)?;
+        let found = Meet::of_faces(&given.face, &upright, 0.1)?;
+        show("out", &found);
+    }
+    begin("meet_kinds");
+    {
+        let found = given.meet.kinds()?;
+        show("kinds", &found);
+    }
     begin("model_sections");
     {
         let sphere = Spline::sphere(
@@ -1590,6 +1609,32 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let ball = Model::create(&[&ball_face], 1.0)?;
         let found = Meet::model_sections(&ball, &[0.0, 0.0, 1.0], &[0.1], 0.1)?;
         show("out", &found);
+    }
+    begin("model_intersections");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = Meet::of_models(&given.model, &ball, 0.1)?;
+        show("out", &found);
+    }
+    begin("meet_faces_second");
+    {
+        let found = given.meet.faces_second()?;
+        show("own_faces", &found.faces);
+        show("own_instances", &found.instances);
+    }
+    begin("meet_joints_second");
+    {
+        let found = given.meet.joints_second()?;
+        show("own_faces", &found.faces);
+        show("own_instances", &found.instances);
     }
     begin("meet_ways");
     {
@@ -1626,6 +1671,20 @@ fn data(given: &Given) -> nurbs::Result<()> {
     begin("meet_trim");
     {
         let found = Meet::trimmed(&given.meet, &given.face)?;
+        show("out", &found);
+    }
+    begin("meet_trim_second");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
+        let found = Meet::trimmed_second(&crossing, &given.face)?;
         show("out", &found);
     }
     by_hand("mesh_options_init");
@@ -2405,6 +2464,25 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("face_intersections_with");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let upright = Face::create(&wall, &[], &[], &[], &[], 0.001, 0)?;
+        let found = Meet::of_faces_with(
+            &given.face,
+            &upright,
+            0.1,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
     begin("model_sections_with");
     {
         let sphere = Spline::sphere(
@@ -2425,6 +2503,25 @@ fn data(given: &Given) -> nurbs::Result<()> {
         )?;
         show("out", &found);
     }
+    begin("model_intersections_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let ball_face = Face::create(&sphere, &[], &[], &[], &[], 1e-09, 0)?;
+        let ball = Model::create(&[&ball_face], 1.0)?;
+        let found = Meet::of_models_with(
+            &given.model,
+            &ball,
+            0.1,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
     begin("meet_trim_with");
     {
         let found = Meet::trimmed_with(
@@ -2432,6 +2529,21 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &given.face,
             &mut Call::new().progress(|_| true),
         )?;
+        show("out", &found);
+    }
+    begin("meet_trim_second_with");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let crossing = Meet::surfaces(&given.surface, &wall, 0.01)?;
+        let found =
+            Meet::trimmed_second_with(&crossing, &given.face, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     begin("mesh_surface_with");

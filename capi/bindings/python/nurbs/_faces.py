@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ._calls import Progress
     from ._closest import Distance, HausdorffDistance
     from ._intersections import Rays
+    from ._meets import Meet
     from ._models import Model
 
     #: One curve that closes, or curves that follow one another; None where the other array has one.
@@ -283,6 +284,14 @@ class Face:
         to the tolerance."""
         return largest_distances(watched(lib.nurbs_face_hausdorff_distance, progress, work),
                                  (self._handle, _handle_of(other), tolerance), 2, 2)
+
+    def meet(self, other: Face, tolerance: float, *, progress: Progress = None, work: Optional[int] = None) -> Meet:
+        """Where two faces meet: in the edges that they share, and in curves inside of both. Meet.branch() has curves in the
+        domain of this one, Meet.branch_second() in that of the other one, Meet.kinds tells edges."""
+        from ._meets import Meet
+
+        return Meet._made(watched(lib.nurbs_face_intersections, progress, work), self._handle, _handle_of(other),
+                          tolerance)
 
     def split(self, curves: Iterable[Spline], tolerance: float = 0.0, *, progress: Progress = None,
               work: Optional[int] = None) -> Model:

@@ -173,6 +173,13 @@ class Meet:
         return MeetBranch(Spline._owner(space.value), on_surface)
 
     @property
+    def kinds(self) -> Int32s:
+        """Of each branch a NURBS_BRANCH_ constant (n,)."""
+        found = numpy.empty(self.counts.branches, numpy.int32)
+        call(lib.nurbs_meet_kinds, self._handle, found.size, found.ctypes.data, None)
+        return found
+
+    @property
     def nodes(self) -> MeetNodes:
         """Where branches end, and where there may be more than they tell."""
         n = self.counts.nodes
@@ -213,6 +220,21 @@ class Meet:
         return found
 
     @property
+    def faces_second(self) -> MeetFaces:
+        """The faces of the second of two models on which the branches are."""
+        return self._second(lib.nurbs_meet_faces_second, self.counts.branches)
+
+    @property
+    def joints_second(self) -> MeetFaces:
+        """The faces of the second of two models on which the nodes are."""
+        return self._second(lib.nurbs_meet_joints_second, self.counts.nodes)
+
+    def _second(self, function: Any, n: int) -> MeetFaces:
+        found = MeetFaces(numpy.empty(n, numpy.int64), numpy.empty(n, numpy.int64))
+        call(function, self._handle, n, *addresses(*found), None)
+        return found
+
+    @property
     def joints(self) -> MeetJoints:
         """How ways go on at the nodes, and on which faces of a model these are."""
         n = self.counts.nodes
@@ -224,3 +246,7 @@ class Meet:
     def trim(self: _Meet, face: Face, *, progress: Progress = None, work: Optional[int] = None) -> _Meet:
         """What of the branches lies in a face of the surface that they are on."""
         return self._made(watched(lib.nurbs_meet_trim, progress, work), self._handle, face._handle)
+
+    def trim_second(self: _Meet, face: Face, *, progress: Progress = None, work: Optional[int] = None) -> _Meet:
+        """What of the branches of two surfaces lies in a face of the second one."""
+        return self._made(watched(lib.nurbs_meet_trim_second, progress, work), self._handle, face._handle)

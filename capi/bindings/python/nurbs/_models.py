@@ -571,6 +571,11 @@ class Model:
         return Meet._made(watched(lib.nurbs_model_sections, progress, work), self._handle, planes.size,
                           across.ctypes.data, planes.ctypes.data, tolerance)
 
+    def meet(self, other: Model, tolerance: float, *, progress: Progress = None, work: Optional[int] = None) -> Meet:
+        """Where the faces of two models meet, joined to ways over the edges that faces share. Meet.faces has those of this
+        one, Meet.faces_second those of the other one."""
+        return Meet._made(watched(lib.nurbs_model_intersections, progress, work), self._handle, other._handle, tolerance)
+
     # --- Meshes ---
 
     def mesh(self, chord: float = math.inf, relative: float = 1e-3, longest: float = 0.0, angle: float = 0.0,

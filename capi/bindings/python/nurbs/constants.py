@@ -316,6 +316,11 @@ NURBS_REFLECTION_HIGHLIGHT = 1  # f = N . m: the normal's line meets the line of
 NURBS_REFLECTION_ALONG = 2  # f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it
 NURBS_REFLECTION_FROM = 3  # the same with v = S - eye: seen from the point eye
 
+# --- Kinds of branches
+NURBS_BRANCH_CROSSING = 1  # what surfaces, or a surface and a plane, have in common
+NURBS_BRANCH_EDGE = 2  # an edge that two faces share
+NURBS_BRANCH_CONTACT = 3  # one at which both faces have the same tangent planes, somewhere at least
+
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point
 NURBS_CONSTRAIN_DIRECTION = 1  # the derivative is parallel to the target, either way

@@ -308,6 +308,18 @@ impl Meet {
         })
     }
 
+    /// Where two faces meet: in the edges that they share, and in curves inside of both.
+    pub fn of_faces(a: &Face, b: &Face, tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_face_intersections(a.raw(), b.raw(), tolerance, out) })
+    }
+
+    /// The same as `of_faces`; it can be watched and stopped.
+    pub fn of_faces_with(a: &Face, b: &Face, tolerance: f64, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_face_intersections_with(a.raw(), b.raw(), tolerance, call.options(), out)
+        })
+    }
+
     /// How much it holds.
     pub fn counts(&self) -> Result<MeetCounts> {
         let mut branches = 0;
@@ -338,6 +350,17 @@ impl Meet {
             &mut count,
         ))?;
         Ok(MeetBranches { levels, end_nodes, loops, deviations })
+    }
+
+    /// What the branches are, one of the `NURBS_BRANCH_` constants each.
+    pub fn kinds(&self) -> Result<Vec<i32>> {
+        let fill = |cap, kinds, count| unsafe { sys::nurbs_meet_kinds(self.raw(), cap, kinds, count) };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut kinds = vec![0; n];
+        check(fill(count, kinds.as_mut_ptr(), &mut count))?;
+        Ok(kinds)
     }
 
     /// The curves of a branch, with common knots: in space, and in the parameter domain.
@@ -429,6 +452,20 @@ impl Meet {
         Ok(MeetFaces { faces, instances })
     }
 
+    /// The faces of the second of two models on which the branches are.
+    pub fn faces_second(&self) -> Result<MeetFaces> {
+        let fill = |cap, faces, instances, count| unsafe {
+            sys::nurbs_meet_faces_second(self.raw(), cap, faces, instances, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut faces = vec![0; n];
+        let mut instances = vec![0; n];
+        check(fill(count, faces.as_mut_ptr(), instances.as_mut_ptr(), &mut count))?;
+        Ok(MeetFaces { faces, instances })
+    }
+
     /// How ways go on at the nodes, and on which faces of a model these are.
     pub fn joints(&self) -> Result<MeetJoints> {
         let fill = |cap, next_nodes, gaps, faces, instances, count| unsafe {
@@ -450,6 +487,20 @@ impl Meet {
             &mut count,
         ))?;
         Ok(MeetJoints { next_nodes, gaps, faces, instances })
+    }
+
+    /// The faces of the second of two models on which the nodes are.
+    pub fn joints_second(&self) -> Result<MeetFaces> {
+        let fill = |cap, faces, instances, count| unsafe {
+            sys::nurbs_meet_joints_second(self.raw(), cap, faces, instances, count)
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut faces = vec![0; n];
+        let mut instances = vec![0; n];
+        check(fill(count, faces.as_mut_ptr(), instances.as_mut_ptr(), &mut count))?;
+        Ok(MeetFaces { faces, instances })
     }
 
     /// Where planes cut the faces of a model, joined to ways over the edges that faces share.
@@ -484,6 +535,18 @@ impl Meet {
         })
     }
 
+    /// Where the faces of two models meet, joined to ways over the edges that faces share.
+    pub fn of_models(a: &Model, b: &Model, tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_model_intersections(a.raw(), b.raw(), tolerance, out) })
+    }
+
+    /// The same as `of_models`; it can be watched and stopped.
+    pub fn of_models_with(a: &Model, b: &Model, tolerance: f64, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_model_intersections_with(a.raw(), b.raw(), tolerance, call.options(), out)
+        })
+    }
+
     /// What of the branches lies in a face of the surface that they are on.
     pub fn trimmed(meet: &Meet, face: &Face) -> Result<Meet> {
         Meet::made(|out| unsafe { sys::nurbs_meet_trim(meet.raw(), face.raw(), out) })
@@ -492,5 +555,17 @@ impl Meet {
     /// The same as `trimmed`; it can be watched and stopped.
     pub fn trimmed_with(meet: &Meet, face: &Face, call: &mut Call) -> Result<Meet> {
         Meet::made(|out| unsafe { sys::nurbs_meet_trim_with(meet.raw(), face.raw(), call.options(), out) })
+    }
+
+    /// What of the branches of two surfaces lies in a face of the second one.
+    pub fn trimmed_second(meet: &Meet, face: &Face) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_meet_trim_second(meet.raw(), face.raw(), out) })
+    }
+
+    /// The same as `trimmed_second`; it can be watched and stopped.
+    pub fn trimmed_second_with(meet: &Meet, face: &Face, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_meet_trim_second_with(meet.raw(), face.raw(), call.options(), out)
+        })
     }
 }

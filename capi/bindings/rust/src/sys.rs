@@ -946,6 +946,14 @@ pub const NURBS_REFLECTION_ALONG: i32 = 2;
 /// the same with v = S - eye: seen from the point eye
 pub const NURBS_REFLECTION_FROM: i32 = 3;
 
+// --- Kinds of branches
+/// what surfaces, or a surface and a plane, have in common
+pub const NURBS_BRANCH_CROSSING: i32 = 1;
+/// an edge that two faces share
+pub const NURBS_BRANCH_EDGE: i32 = 2;
+/// one at which both faces have the same tangent planes, somewhere at least
+pub const NURBS_BRANCH_CONTACT: i32 = 3;
+
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point
 pub const NURBS_CONSTRAIN_VALUE: i32 = 0;
@@ -4032,6 +4040,26 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
+    /// Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the
+    /// loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they
+    /// share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in
+    /// their edges.
+    pub fn nurbs_face_intersections(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_face_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_face_intersections_with(
+        a: *const nurbs_face,
+        b: *const nurbs_face,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
     /// Another handle on the same meet, in constant time.
     pub fn nurbs_meet_clone(meet: *const nurbs_meet, out: *mut *mut nurbs_meet) -> nurbs_status;
     /// Frees a handle on a meet.
@@ -4057,6 +4085,15 @@ extern "C" {
         end_nodes: *mut i64,
         loops: *mut i64,
         deviations: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// What the branches of a meet are.
+    ///
+    /// May be null: `kinds`, `count`.
+    pub fn nurbs_meet_kinds(
+        meet: *const nurbs_meet,
+        cap: i64,
+        kinds: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
     /// A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
@@ -4117,6 +4154,17 @@ extern "C" {
         own_instances: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
+    /// Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in other
+    /// meets.
+    ///
+    /// May be null: `own_faces`, `own_instances`, `count`.
+    pub fn nurbs_meet_faces_second(
+        meet: *const nurbs_meet,
+        cap: i64,
+        own_faces: *mut i64,
+        own_instances: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
     /// How ways go on at the nodes of a meet, and on which faces of a model these are.
     ///
     /// May be null: `next_nodes`, `gaps`, `own_faces`, `own_instances`, `count`.
@@ -4125,6 +4173,16 @@ extern "C" {
         cap: i64,
         next_nodes: *mut i64,
         gaps: *mut f64,
+        own_faces: *mut i64,
+        own_instances: *mut i64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+    ///
+    /// May be null: `own_faces`, `own_instances`, `count`.
+    pub fn nurbs_meet_joints_second(
+        meet: *const nurbs_meet,
+        cap: i64,
         own_faces: *mut i64,
         own_instances: *mut i64,
         count: *mut i64,
@@ -4140,6 +4198,23 @@ extern "C" {
     ///
     /// May be null: `call`.
     pub fn nurbs_meet_trim_with(
+        meet: *const nurbs_meet,
+        face: *const nurbs_face,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of the
+    /// first: curves in the domain of the second surface are cut where they cross the loops, and all curves
+    /// of a branch with them.
+    pub fn nurbs_meet_trim_second(
+        meet: *const nurbs_meet,
+        face: *const nurbs_face,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_meet_trim_second() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_meet_trim_second_with(
         meet: *const nurbs_meet,
         face: *const nurbs_face,
         call: *const nurbs_call_options,
@@ -5357,6 +5432,24 @@ extern "C" {
         n: i64,
         normals: *const f64,
         offsets: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to
+    /// ways over the edges that faces share: the curves of a union, a difference or an intersection.
+    pub fn nurbs_model_intersections(
+        a: *const nurbs_model,
+        b: *const nurbs_model,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_model_intersections() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_model_intersections_with(
+        a: *const nurbs_model,
+        b: *const nurbs_model,
         tolerance: f64,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,

@@ -997,6 +997,22 @@ const Call group[] = {
          }
          return nurbs_surface_intersections(made_wall, in.surface, 0.1, &o.meet);
      }},
+    {"face_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_upright(in, make_upright);
+         if (made_upright.status() != NURBS_OK) {
+             return made_upright.status();
+         }
+         return nurbs_face_intersections(in.face, made_upright, 0.1, &o.meet);
+     }},
+    {"meet_kinds",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_kinds(in.meet, 4, o.states, o.spans);
+     }},
     {"model_sections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -1014,6 +1030,30 @@ const Call group[] = {
          static constexpr double normals[] = {0, 0, 1};
          static constexpr double offsets[] = {0.1};
          return nurbs_model_sections(made_ball, 1, normals, offsets, 0.1, &o.meet);
+     }},
+    {"model_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         return nurbs_model_intersections(in.model, made_ball, 0.1, &o.meet);
+     }},
+    {"meet_faces_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_faces_second(in.meet, 4, o.spans, o.spans + 4, o.spans + 8);
+     }},
+    {"meet_joints_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_joints_second(in.meet, 8, o.spans, o.spans + 8, o.spans + 16);
      }},
     {"meet_ways",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1035,6 +1075,18 @@ const Call group[] = {
     {"meet_trim",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_trim(in.meet, in.face, &o.meet);
+     }},
+    {"meet_trim_second",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_crossing(in, make_crossing);
+         if (made_crossing.status() != NURBS_OK) {
+             return made_crossing.status();
+         }
+         return nurbs_meet_trim_second(made_crossing, in.face, &o.meet);
      }},
     {"mesh_options_init",
      [](const Inputs &, Output &) -> nurbs_status {
@@ -1802,6 +1854,20 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_intersections_with(made_wall, in.surface, 0.1, &call, &o.meet);
      }},
+    {"face_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_upright(in, make_upright);
+         if (made_upright.status() != NURBS_OK) {
+             return made_upright.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_intersections_with(in.face, made_upright, 0.1, &call, &o.meet);
+     }},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -1822,11 +1888,43 @@ const Call group[] = {
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_model_sections_with(made_ball, 1, normals, offsets, 0.1, &call, &o.meet);
      }},
+    {"model_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         Made made_ball_face(in, make_ball_face);
+         if (made_ball_face.status() != NURBS_OK) {
+             return made_ball_face.status();
+         }
+         Made made_ball(in, make_ball);
+         if (made_ball.status() != NURBS_OK) {
+             return made_ball.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_model_intersections_with(in.model, made_ball, 0.1, &call, &o.meet);
+     }},
     {"meet_trim_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_meet_trim_with(in.meet, in.face, &call, &o.meet);
+     }},
+    {"meet_trim_second_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_crossing(in, make_crossing);
+         if (made_crossing.status() != NURBS_OK) {
+             return made_crossing.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_meet_trim_second_with(made_crossing, in.face, &call, &o.meet);
      }},
     {"mesh_surface_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

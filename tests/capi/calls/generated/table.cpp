@@ -256,6 +256,14 @@ nurbs_status make_moved_face(const Inputs &in, nurbs_face **out) {
     return nurbs_face_create(in.surface, 1, sizes, curves, nullptr, nullptr, 0.001, 0, nullptr, out);
 }
 
+nurbs_status make_upright(const Inputs &in, nurbs_face **out) {
+    Made made_wall(in, make_wall);
+    if (made_wall.status() != NURBS_OK) {
+        return made_wall.status();
+    }
+    return nurbs_face_create(made_wall, 0, nullptr, nullptr, nullptr, nullptr, 0.001, 0, nullptr, out);
+}
+
 nurbs_status make_divider(const Inputs &, nurbs **out) {
     static constexpr int32_t degrees[] = {1};
     static constexpr double points[] = {0, 1.5, 1, 1.75};

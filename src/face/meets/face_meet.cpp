@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "face/meets/face_meet.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "closest/closest.h"
+#include "eval/curve_point.h"
+#include "face/meets/common_edges.h"
+#include "face/meets/ground.h"
+#include "face/trimmed_meet.h"
+#include "intersect/pairs/curve_curve.h"
+#include "intersect/surfaces/surface_surface.h"
+#include "numeric/vector3.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace nrb::face {
+
+namespace {
+
+using intersect::Meet;
+using intersect::MeetBranch;
+using intersect::MeetNode;
+using intersect::NodeKind;
+
+// How many rooms around an edge what begins and ends there may reach.
+constexpr double most_rooms = 16;
+
+struct Box {
+    std::array<double, 3> lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};
+};
+
+Box box_of(const Spline &curve) noexcept {
+    Box box;
+    for (int64_t i = 0; i < curve.point_count(); ++i) {
+        for (size_t c = 0; c < 3; ++c) {
+            const double x = curve.coordinate(i, static_cast<int>(c));
+            box.lower[c] = std::min(box.lower[c], x);
+            box.upper[c] = std::max(box.upper[c], x);
+        }
+    }
+    return box;
+}
+
+bool are_near(const Box &a, const Box &b, double room) noexcept {
+    for (size_t c = 0; c < 3; ++c) {
+        if (!(a.lower[c] <= b.upper[c] + room && a.upper[c] >= b.lower[c] - room)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Which parts of branches run along common edges.
+PartsOfBranches parts_along(const Meet &meet, std::span<const CommonEdge> edges) {
+    PartsOfBranches parts(meet.branches.size());
+    for (size_t i = 0; i < parts.size(); ++i) {
+        const Spline &curve = *meet.branches[i].space;
+        const Box box = box_of(curve);
+        for (const CommonEdge &edge : edges) {
+            if (!are_near(box, box_of(*edge.branch.space), edge.room)) {
+                continue;
+            }
+            for (const intersect::PairHit &hit :
+                 intersect::curve_curve(curve, *edge.branch.space, edge.room).list) {
+                if (hit.kind == intersect::HitKind::overlap) {
+                    parts[i].push_back(hit.range_a);
+                }
+            }
+        }
+    }
+    return parts;
+}
+
+// Whether a place is as near to an edge as that is told.
+bool is_at(const double *x, const CommonEdge &edge) {
+    const Spline &own = *edge.branch.space;
+    const double room = most_rooms * edge.room;
+    return closest::locator_of(own)
+               .nearest({x, nullptr, edge.room, closest::usual_budget(own), false, true})
+               .distance <= room;
+}
+
+// Whether a curve cannot be told from an edge: it begins at it, and is as short as that.
+bool is_of(const Spline &curve, const CommonEdge &edge) {
+    const Box box = box_of(curve);
+    double size = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        size = std::hypot(size, box.upper[c] - box.lower[c]);
+    }
+    return size <= most_rooms * edge.room && is_at(eval::end_point(curve, false).data(), edge);
+}
+
+// Where arcs along an edge are not found to go on in each other the edge does.
+void settle_places_on_edges(const Spline &surface, std::span<const CommonEdge> edges, Meet &meet) {
+    for (MeetNode &node : meet.nodes) {
+        const bool place =
+            node.range[0].lower == node.range[0].upper && node.range[1].lower == node.range[1].upper;
+        if (node.kind != NodeKind::undecided || !place) {
+            continue;
+        }
+        const std::vector<double> x = point_at(surface, node.at);
+        if (std::ranges::any_of(edges, [&](const CommonEdge &edge) { return is_at(x.data(), edge); })) {
+            node.kind = NodeKind::edge;
+        }
+    }
+}
+
+// Ends of what runs along an edge are as exact as that.
+void drop_what_is_of_edges(Meet &meet, std::span<const CommonEdge> edges) {
+    std::erase_if(meet.branches, [&](const MeetBranch &branch) {
+        return std::ranges::any_of(edges, [&](const CommonEdge &edge) { return is_of(*branch.space, edge); });
+    });
+    meet.tidy_nodes();
+}
+
+// What continued surfaces have in common ends where the faces do, to rounding.
+class IntoDomains {
+public:
+    IntoDomains(const Face &a, const Face &b) : faces_{&a, &b} {}
+
+    void move(Meet &meet) {
+        for (MeetBranch &branch : meet.branches) {
+            branch.deviation += std::max(move(branch.on, 0), move(branch.on_second, 1));
+        }
+        for (MeetNode &node : meet.nodes) {
+            move(node.at, node.range, 0);
+            move(node.at_second, node.range_second, 1);
+        }
+    }
+
+private:
+    [[nodiscard]] double clamped(double x, size_t face, int k) const noexcept {
+        const Covering &covering = faces_[face]->covering();
+        return covering.closed(k) ? x : std::clamp(x, covering.domain(k).lower, covering.domain(k).upper);
+    }
+    void move(std::array<double, 2> &at, std::array<Interval, 2> &range, size_t face) const noexcept {
+        for (const int k : {0, 1}) {
+            const auto axis = static_cast<size_t>(k);
+            at[axis] = clamped(at[axis], face, k);
+            range[axis] = {clamped(range[axis].lower, face, k), clamped(range[axis].upper, face, k)};
+        }
+    }
+    // How far points of the surface move.
+    double move(SplinePtr &curve, size_t face) {
+        std::array<double, 2> most{};
+        std::vector<double> points(curve->points().begin(), curve->points().end());
+        for (size_t i = 0; i < points.size(); ++i) {
+            const double x = clamped(points[i], face, static_cast<int>(i % 2));
+            most[i % 2] = std::max(most[i % 2], std::abs(x - points[i]));
+            points[i] = x;
+        }
+        if (most[0] == 0 && most[1] == 0) {
+            return 0;
+        }
+        curve = make_result(curve->knot_vectors(), 2, Form::polynomial, std::move(points));
+        const std::array<double, 2> speeds = fastest(*ground_of(*faces_[face], true));
+        return most[0] * speeds[0] + most[1] * speeds[1];
+    }
+
+    std::array<const Face *, 2> faces_;
+};
+
+MeetNode node_at(const Face &a, const Face &b, const MeetBranch &branch, bool upper, NodeKind kind) {
+    MeetNode node{0, kind, {}, {}};
+    const auto place = [&](const Face &face, const Spline &curve, std::array<double, 2> &at,
+                           std::array<Interval, 2> &range) {
+        const std::vector<double> on = eval::end_point(curve, upper);
+        at = face.covering().in_domain({on[0], on[1]});
+        range = {Interval{at[0], at[0]}, Interval{at[1], at[1]}};
+    };
+    place(a, *branch.on, node.at, node.range);
+    place(b, *branch.on_second, node.at_second, node.range_second);
+    return node;
+}
+
+// An edge that closes begins and ends in nodes that go on in each other.
+void add_edge(const Face &a, const Face &b, const CommonEdge &edge, Meet &meet) {
+    Meet own;
+    MeetBranch branch = edge.branch;
+    const NodeKind kind = edge.closes ? NodeKind::seam : NodeKind::border;
+    own.nodes = {node_at(a, b, branch, false, kind), node_at(a, b, branch, true, kind)};
+    if (edge.closes) {
+        own.nodes[0].next = 1;
+        own.nodes[1].next = 0;
+    }
+    branch.nodes = {0, 1};
+    branch.loop = edge.closes ? 0 : -1;
+    own.branches.push_back(std::move(branch));
+    meet.append(std::move(own));
+}
+
+} // namespace
+
+Meet face_intersections(const Face &a, const Face &b, double tolerance) {
+    const LimitedSearch whole; // by a limit of the caller
+    const std::vector<CommonEdge> edges = common_edges(a, b, tolerance);
+    if (edges.empty()) {
+        return strangers_intersections(a, b, tolerance);
+    }
+    const SplinePtr ground_a = ground_of(a, true), ground_b = ground_of(b, true);
+    Meet all = intersect::surface_intersections(*ground_a, *ground_b, tolerance);
+    settle_places_on_edges(*ground_a, edges, all);
+    Meet found = trimmed(b, trimmed(a, all, 0, parts_along(all, edges)), 1);
+    drop_what_is_of_edges(found, edges);
+    IntoDomains(a, b).move(found);
+    for (const CommonEdge &edge : edges) {
+        add_edge(a, b, edge, found);
+    }
+    return found;
+}
+
+Meet strangers_intersections(const Face &a, const Face &b, double tolerance) {
+    const LimitedSearch whole;
+    const SplinePtr ground_a = ground_of(a, false), ground_b = ground_of(b, false);
+    return trimmed(b, trimmed(a, intersect::surface_intersections(*ground_a, *ground_b, tolerance)), 1);
+}
+
+} // namespace nrb::face

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The part of a surface that what a face has in common with others is looked for on.
+#pragma once
+
+#include "face/face.h"
+
+namespace nrb::face {
+
+// The surface over a little more than the smallest rectangle that holds the face, by the same parameters. `beyond`: continued where
+// the domain ends, as far as its weights stay positive, so that what runs along its ends does not; axes that close and poles stay.
+SplinePtr ground_of(const Face &face, bool beyond);
+
+// How much faster a point of the surface moves than its parameters, on each axis: bounds over the domain, infinite where there is
+// none.
+std::array<double, 2> fastest(const Spline &surface);
+
+} // namespace nrb::face

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "model/meets/model_meets.h"
+
+#include "base/watch.h"
+#include "face/meets/face_meet.h"
+#include "intersect/rays/box_tree.h"
+#include "model/meets/meet_joints.h"
+#include "model/meets/placed_faces.h"
+#include "refine/forms/parametrization.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nrb::model {
+
+namespace {
+
+using intersect::Meet;
+using intersect::MeetBranch;
+using intersect::MeetNode;
+
+// Pairs of faces whose boxes have common points.
+std::vector<FacePair> near_pairs(const PlacedFaces &a, const PlacedFaces &b) {
+    std::vector<intersect::Box3> boxes;
+    for (const PlacedFaces::Place &place : b.places()) {
+        boxes.push_back(place.box);
+    }
+    const intersect::BoxTree tree(boxes);
+    std::vector<FacePair> pairs;
+    for (size_t i = 0; i < a.places().size(); ++i) {
+        const size_t first = pairs.size();
+        tree.walk_box(a.places()[i].box, [&](int64_t j) { pairs.push_back({i, static_cast<size_t>(j)}); });
+        std::ranges::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end(), {}, &FacePair::b);
+        count_work(100);
+    }
+    return pairs;
+}
+
+// Along the product of the outer normals.
+void run_backwards(Meet &meet) {
+    for (MeetBranch &branch : meet.branches) {
+        for (SplinePtr *curve : {&branch.space, &branch.on, &branch.on_second}) {
+            *curve = refine::reverse(**curve, 0, false);
+        }
+        std::swap(branch.nodes[0], branch.nodes[1]);
+    }
+    std::ranges::reverse(meet.branches); // those of a way follow each other
+}
+
+void name_faces(Meet &meet, const PlacedFaces::Place &a, const PlacedFaces::Place &b) {
+    const auto name = [&](auto &of) {
+        of.face = a.face;
+        of.instance = a.instance;
+        of.second_face = b.face;
+        of.second_instance = b.instance;
+    };
+    std::ranges::for_each(meet.branches, name);
+    for (MeetBranch &branch : meet.branches) {
+        branch.loop = -1; // ways are made of all
+    }
+    std::ranges::for_each(meet.nodes, name);
+}
+
+} // namespace
+
+Meet model_intersections(const Model &a, const Model &b, double tolerance) {
+    const LimitedSearch whole; // by a limit of the caller; each pair of faces has the usual one of its own
+    PlacedFaces on_a(a), on_b(b);
+    Meet found;
+    found.of_two = true;
+    std::vector<FacePair> of_branches;
+    const std::vector<FacePair> pairs = near_pairs(on_a, on_b);
+    Steps steps(std::ssize(pairs));
+    for (const FacePair &pair : pairs) {
+        const PlacedFaces::Place &first = on_a.places()[pair.a], &second = on_b.places()[pair.b];
+        Meet own = face::strangers_intersections(*on_a.shape(pair.a), *on_b.shape(pair.b), tolerance);
+        if (first.turned != second.turned) {
+            run_backwards(own);
+        }
+        name_faces(own, first, second);
+        of_branches.insert(of_branches.end(), own.branches.size(), pair);
+        found.append(std::move(own));
+        steps.next();
+    }
+    MeetJoints(on_a, on_b, of_branches, tolerance, found).run();
+    found.tidy_nodes();
+    return with_loops(arranged(std::move(found)));
+}
+
+} // namespace nrb::model
