@@ -29,10 +29,10 @@ SplineData flat(double z, double slope = 0) {
 struct Counts {
     int64_t open, closed;
 };
-void expect_complete(const SplineData &a, const SplineData &b, Counts expected, const std::string &name) {
+Crossing expect_complete(const SplineData &a, const SplineData &b, Counts expected, const std::string &name) {
     SCOPED_TRACE(name);
     const Handle first = create(a), second = create(b);
-    const Crossing crossing = crossing_of(first.get(), second.get(), tolerance);
+    Crossing crossing = crossing_of(first.get(), second.get(), tolerance);
     EXPECT_TRUE(crossing.found.complete);
     EXPECT_EQ(crossing.open_ways, expected.open);
     EXPECT_EQ(crossing.closed_ways, expected.closed);
@@ -41,6 +41,7 @@ void expect_complete(const SplineData &a, const SplineData &b, Counts expected, 
     }
     check_curves(crossing, Ground(first.get(), a), Ground(second.get(), b));
     check_nodes(crossing, 1e-9);
+    return crossing;
 }
 
 TEST(SurfaceCrossings, KnownShapes) {
@@ -57,6 +58,63 @@ TEST(SurfaceCrossings, KnownShapes) {
     expect_complete(turned(tube(0.5, 6)), ring(3, 0.8), {0, 4}, "a rod through a ring");
     expect_complete(quadratic_graph(1, 0, -1, 0, -1, -1), flat(0.2), {2, 0}, "a saddle below a plane");
     expect_complete(quadratic_graph(1, 0, -1, 0, -1, -1), flat(-1e-4), {2, 0}, "a saddle above a plane");
+}
+
+// The plane through the axis z and the point (cos angle, sin angle, 0).
+SplineData upright(double angle) {
+    return net_of({2, 2}, {1, 1}, false, [=](double u, double v) {
+        return std::array<double, 4>{(8 * u - 4) * std::cos(angle), (8 * u - 4) * std::sin(angle), 8 * v - 4,
+                                     1};
+    });
+}
+int64_t points_of(const Crossing &crossing) {
+    int64_t sum = 0;
+    for (const Branch &branch : crossing.found.branches) {
+        int64_t count = 0;
+        require_ok(nurbs_point_count(branch.space.get(), &count));
+        sum += count;
+    }
+    return sum;
+}
+
+// Curves along knots, and near them, are found as others are, and once.
+TEST(SurfaceCrossings, AlongKnots) {
+    struct Case {
+        SplineData a, b;
+        Counts ways;
+        double length;
+        const char *name;
+    };
+    const SplineData globe = ball(1, {0, 0, 0}),
+                     plane_of_knots = net_of({20, 20}, {3, 3}, false, [](double u, double v) {
+                         return std::array<double, 4>{4 * u - 2, 4 * v - 2, 0, 1};
+                     });
+    std::vector<Case> cases{
+        {globe, plane_of_knots, {0, 1}, 2 * pi, "a plane of many pieces"},
+        {globe, flat(1e-9 / 2, 1e-9), {0, 1}, 2 * pi, "a plane that leans a little"},
+        {globe, flat(0, 1e-5), {0, 1}, 2 * pi, "a plane that leans more"},
+        {ring(1.2, 0.5), flat(0), {0, 2}, 2 * pi * 2.4, "a ring around a plane"},
+        {ring(2, 0.5), upright(0), {0, 2}, 2 * pi, "a ring through a plane"},
+        {ring(2, 0.5), upright(1), {0, 2}, 2 * pi, "a ring through another one"},
+        {tube(1, 3), upright(0), {2, 0}, 12, "a tube through a plane"},
+        {ball(2, {0, 0, 0}), tube(1, 3), {0, 2}, 4 * pi, "a ball around a tube"},
+        {ball(2, {0, 0, 0}), ring(2, 0.5), {0, 2}, 7.75 * pi, "a ball on a ring"},
+        {globe, ball(std::sqrt(2), {0, 0, 1}), {0, 1}, 2 * pi, "a ball with the equator of another one"},
+        {globe, ball(1.3, {0, 0, 1}), {0, 1}, 6.20725, "balls with one axis"}};
+    for (const double z : {0.0, 1e-15, 1e-13, 1e-12, 4e-12, 1e-11, 1e-10, 1e-8, 1e-6, 1e-4}) {
+        for (const double side : {-z, z}) {
+            cases.push_back({globe, flat(side), {0, 1}, 2 * pi, "near the equator"});
+        }
+    }
+    for (const Case &test : cases) {
+        SCOPED_TRACE(test.b.points[2]);
+        for (const bool exchanged : {false, true}) {
+            const Crossing crossing = expect_complete(exchanged ? test.b : test.a,
+                                                      exchanged ? test.a : test.b, test.ways, test.name);
+            EXPECT_NEAR(length_of(crossing.found), test.length, 1e-4) << test.name;
+            EXPECT_LE(points_of(crossing), 1000) << test.name;
+        }
+    }
 }
 
 // Waves of height 0.2 cross a surface of smaller ones six times.

@@ -18,6 +18,8 @@ namespace {
 
 constexpr size_t width = 4; // x w, y w, z w, w
 constexpr double least_length = 0x1p-31;
+// Where parts are halved: what is symmetric meets in curves along middles, which would run along sides of boxes.
+constexpr double place_of_halves = 0.5 - 0x1.5p-6;
 // In parts of the length of derivatives: what bends less is halved where it is longer.
 constexpr double little_bend = 0.05;
 
@@ -73,12 +75,31 @@ void apply(const std::vector<double> &matrix, const AxisLayers &layers, const do
 
 } // namespace
 
-CrossGround::CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes)
+CrossGround::CrossGround(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
+                         const SideShifts &of_axes)
     : grid(pieces::piece_grid_of(surface)), borders(ends),
       shifts(of_axes), widenings{part_matrix(surface.axis(0).degree(), -widening, 1 + widening),
-                                 part_matrix(surface.axis(1).degree(), -widening, 1 + widening)} {}
+                                 part_matrix(surface.axis(1).degree(), -widening, 1 + widening)},
+      pieces_(pieces::piece_tree_of(surface), frame) {}
 
-CrossPiece::CrossPiece(pieces::BezierPiece made, const CrossGround &of)
+CrossGround::~CrossGround() = default;
+
+const CrossPiece *CrossGround::piece(const pieces::PieceGrid::Index &index) {
+    const int64_t at = grid.piece(index);
+    const auto known = made_.find(at);
+    if (known != made_.end()) {
+        return known->second.get();
+    }
+    pieces::BezierPiece made = pieces_.piece(at);
+    count_work(16 * made.coefficients());
+    std::unique_ptr<const CrossPiece> piece;
+    if (made.positive()) {
+        piece = std::make_unique<const CrossPiece>(std::move(made), *this);
+    }
+    return made_.emplace(at, std::move(piece)).first->second.get();
+}
+
+CrossPiece::CrossPiece(pieces::BezierPiece made, CrossGround &of)
     : ground(&of), piece(std::move(made)), degrees{piece.degree(0), piece.degree(1)}, shift(of.shifts) {
     const pieces::LocalParam first = piece.parameter({0, 0}), last = piece.parameter({1, 1});
     for (size_t k = 0; k < 2; ++k) {
@@ -117,7 +138,12 @@ void CrossPiece::set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &
             const double next = is_break && !open[k][end] ? length(up ? i + 1 : i - 1) : whole;
             const double by = of_axis * std::min(next, whole) / part;
             shifts[k][end] = open[k][end] && !up ? -by : by;
+            rooms[k][end] = poles[k][end] ? 0 : by / of_axis * room_along_sides;
         }
+    }
+    const auto is_whole = [](const Interval &places) { return places.lower == 0 && places.upper == 1; };
+    if (!is_whole(within[0]) || !is_whole(within[1])) {
+        rooms = {};
     }
 }
 
@@ -159,20 +185,62 @@ CrossCell::CrossCell(const CrossPiece &piece)
 }
 
 CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records)
-    : piece_(whole.piece_), lower_(whole.lower_), length_(whole.length_), depth_(whole.depth_ + 1),
-      records_(std::move(records)) {
-    length_[axis] /= 2;
-    lower_[axis] += end == 1 ? length_[axis] : 0;
+    : piece_(whole.piece_), lower_(whole.lower_), upper_(whole.upper_), length_(whole.length_),
+      depth_(whole.depth_ + 1), records_(std::move(records)) {
+    const double between = lower_[axis] + place_of_halves * length_[axis];
+    (end == 0 ? upper_ : lower_)[axis] = between;
+    length_[axis] = upper_[axis] - lower_[axis];
+    set_box();
+}
+
+CrossCell::CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places)
+    : piece_(&piece), records_(static_cast<size_t>(piece.piece.coefficients()) * width) {
+    Scratch scratch(records_.size());
+    double *const half = scratch.take(records_.size());
+    for (size_t k = 0; k < 2; ++k) {
+        lower_[k] = places[k].lower;
+        upper_[k] = places[k].upper;
+        length_[k] = upper_[k] - lower_[k];
+        apply(part_matrix(piece.degrees[k], lower_[k], upper_[k]), layers_along(k, piece.degrees),
+              k == 0 ? piece.piece.record(0) : half, k == 0 ? half : records_.data());
+    }
     set_box();
 }
 
 bool CrossCell::is_inside(size_t axis, size_t end) const noexcept {
-    return end == 0 ? lower_[axis] > 0 : lower_[axis] + length_[axis] < 1;
+    return end == 0 ? lower_[axis] > 0 : upper_[axis] < 1;
 }
 
 double CrossCell::side(size_t axis, size_t end) const noexcept {
     const double shift = is_inside(axis, end) ? piece_->shift[axis] : piece_->shifts[axis][end];
     return static_cast<double>(end) + shift / length_[axis];
+}
+
+double CrossCell::room(size_t axis, size_t end) const noexcept {
+    constexpr double most = widening / 2;
+    return is_inside(axis, end) ? 0 : std::min(piece_->rooms[axis][end] / length_[axis], most);
+}
+
+std::optional<CrossCell::Beyond> CrossCell::beyond(size_t axis, size_t end) const {
+    pieces::PieceGrid::Index next = piece_->index;
+    const int k = static_cast<int>(axis);
+    const int64_t n = piece_->ground->grid.count(k);
+    next[axis] = (next[axis] + (end == 1 ? 1 : n - 1)) % n;
+    const CrossPiece *const other = piece_->ground->piece(next);
+    if (other == nullptr) {
+        return std::nullopt;
+    }
+    const auto whole = [&](const CrossPiece &piece) {
+        return piece.range[axis].upper - piece.range[axis].lower;
+    };
+    const double stretch = whole(*piece_) / whole(*other),
+                 wide = 1.01 * room(axis, end) * length_[axis] * stretch;
+    std::array<Interval, 2> places;
+    places[axis] = end == 1 ? Interval{0, wide} : Interval{1 - wide, 1};
+    places[1 - axis] = {lower_[1 - axis], upper_[1 - axis]};
+    std::optional<Beyond> result{Beyond{CrossCell(*other, places), axis, 0}};
+    result->factor = length_[axis] * stretch / result->cell.length(axis);
+    return result->cell.prepare() ? std::move(result) : std::nullopt;
 }
 
 bool CrossCell::is_open(size_t axis, size_t end) const noexcept {
@@ -376,7 +444,7 @@ bool CrossCell::split(std::deque<CrossCell> &all) {
     }
     const AxisLayers layers = layers_along(axis, piece_->degrees);
     std::vector<double> upper = records_, lower(upper.size());
-    subdivide(layers, 0.5, upper.data(), lower.data());
+    subdivide(layers, place_of_halves, upper.data(), lower.data());
     halves_[1] = &all.emplace_back(*this, axis, 1, std::move(upper));
     halves_[0] = &all.emplace_back(*this, axis, 0, std::move(lower));
     return true;

@@ -4,10 +4,13 @@
 
 #include "intersect/levels/fields/surface_borders.h"
 #include "numeric/vector3.h"
-#include "pieces/bezier_piece.h"
+#include "pieces/tree/framed_pieces.h"
 
 #include <array>
 #include <deque>
+#include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace nrb::intersect {
@@ -21,23 +24,39 @@ using SideShifts = std::array<double, 2>;
 constexpr std::array<SideShifts, 2> side_shifts{
     SideShifts{shift_of_sides, 0x1.1p-1 * shift_of_sides},
     SideShifts{0x1.9p-1 * shift_of_sides, 0x1.5p-2 * shift_of_sides}};
+// How far arcs that run along a border of a piece may be beyond it, in parts of pieces, before it is decided whose they are.
+constexpr double room_along_sides = 0x1p-7;
 // Polynomials go on beyond their pieces. What is proven of a part is proven of this much more of it on all sides, in parts
 // of its length.
 constexpr double widening = 1.0 / 8;
 
+struct CrossPiece;
+
 // What the pieces of a surface have in common.
-struct CrossGround {
-    CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes);
+class CrossGround {
+public:
+    CrossGround(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
+                const SideShifts &of_axes);
+    ~CrossGround();
+    CrossGround(const CrossGround &) = delete;
+    CrossGround &operator=(const CrossGround &) = delete;
+
+    // The piece of the surface with an index, made when it is first asked for; null: its weights are not positive.
+    [[nodiscard]] const CrossPiece *piece(const pieces::PieceGrid::Index &index);
 
     const pieces::PieceGrid &grid;
     const SurfaceBorders &borders;
     SideShifts shifts;
     std::array<std::vector<double>, 2> widenings; // of coefficients along an axis, to those of the wide part
+
+private:
+    pieces::FramedPieces pieces_;
+    std::map<int64_t, std::unique_ptr<const CrossPiece>> made_;
 };
 
 // A Bezier piece with positive weights, about the centre of both surfaces.
 struct CrossPiece {
-    CrossPiece(pieces::BezierPiece made, const CrossGround &of);
+    CrossPiece(pieces::BezierPiece made, CrossGround &of);
 
     struct Point {
         Vector3 at;
@@ -47,7 +66,7 @@ struct CrossPiece {
     // At a place in [0, 1]^2, or not far outside.
     [[nodiscard]] Point evaluate(const std::array<double, 2> &place) const noexcept;
 
-    const CrossGround *ground;
+    CrossGround *ground;
     pieces::BezierPiece piece;
     std::array<int, 2> degrees{};
     pieces::PieceGrid::Index index{}; // of the piece of the surface that it is a part of
@@ -58,6 +77,7 @@ struct CrossPiece {
     std::array<std::array<bool, 2>, 2> poles{};    // [axis][end]: the side is one point
     std::array<std::array<double, 2>, 2> shifts{}; // [axis][end], of the sides of its box, by places
     SideShifts shift{};                            // the same of sides inside of the piece
+    std::array<std::array<double, 2>, 2> rooms{};  // [axis][end], for arcs along them, by places
     double largest_weight = 0;
     double error = 0; // of points that are evaluated
 
@@ -79,6 +99,8 @@ public:
     explicit CrossCell(const CrossPiece &piece);
     // A half, with its records.
     CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records);
+    // Any part, which is not halved.
+    CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places);
 
     [[nodiscard]] const CrossPiece &piece() const noexcept { return *piece_; }
     [[nodiscard]] double lower(size_t axis) const noexcept { return lower_[axis]; } // in [0, 1]
@@ -93,6 +115,14 @@ public:
     // Where its box ends, as places in the part.
     [[nodiscard]] double side(size_t axis, size_t end) const noexcept;
     [[nodiscard]] bool is_open(size_t axis, size_t end) const noexcept;
+    // How far beyond its box arcs along a side may be, as places in the part; 0 for sides inside of the piece.
+    [[nodiscard]] double room(size_t axis, size_t end) const noexcept;
+    // Whether a side is one of the piece.
+    [[nodiscard]] bool is_border(size_t axis, size_t end) const noexcept { return !is_inside(axis, end); }
+    // What is beyond such a side, as wide as the room, along this part: with the factor that makes derivatives along
+    // the axis those by places in this part. None: the surface ends there, or has no derivatives.
+    struct Beyond;
+    [[nodiscard]] std::optional<Beyond> beyond(size_t axis, size_t end) const;
     // Whether a side of it is one point, in which a derivative vanishes.
     [[nodiscard]] bool has_pole() const noexcept;
 
@@ -126,7 +156,7 @@ private:
     [[nodiscard]] size_t axis_of_halves() const noexcept;
 
     const CrossPiece *piece_;
-    std::array<double, 2> lower_{0, 0}, length_{1, 1};
+    std::array<double, 2> lower_{0, 0}, upper_{1, 1}, length_{1, 1};
     int depth_ = 0;
     std::vector<double> records_; // [degree + 1][degree + 1][4]
     std::array<Interval, 3> box_{};
@@ -142,6 +172,12 @@ private:
     Vector3 centre_;
     std::array<Vector3, 2> slope_;
     std::array<CrossCell *, 2> halves_{};
+};
+
+struct CrossCell::Beyond {
+    CrossCell cell;
+    size_t axis;
+    double factor;
 };
 
 } // namespace nrb::intersect

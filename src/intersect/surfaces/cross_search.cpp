@@ -67,7 +67,7 @@ bool is_positive(const closest::PairCell &cell) noexcept {
 
 CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
                         const SideShifts &shifts_of_axes)
-    : ground(surface, ends, shifts_of_axes), cells(surface, frame) {}
+    : ground(surface, frame, ends, shifts_of_axes), cells(surface, frame) {}
 
 CrossCell &CrossSearch::Side::root(PairCell &cell) {
     if (cell.mark == 0) {
@@ -271,6 +271,13 @@ void set_ranges(const CrossCell &cell, Interval *ranges) noexcept {
 }
 
 } // namespace
+
+std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept {
+    std::array<Interval, 4> ranges;
+    set_ranges(*box.a, ranges.data());
+    set_ranges(*box.b, ranges.data() + 2);
+    return ranges;
+}
 
 void CrossSearch::add(const Pair &pair, bool near) {
     count_work(work_of_a_kept_part);

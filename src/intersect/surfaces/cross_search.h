@@ -21,6 +21,9 @@ struct CrossParts {
     std::vector<CrossCluster> clusters;
 };
 
+// Parameters of both parts.
+std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept;
+
 // Pairs of pieces whose boxes have common points, then pairs of their parts, all of one size before smaller ones: a pair is
 // excluded, has a chart in which its arc is found, or one of both is halved. What is left where planes of tangents are all
 // but one is told by how the number of such pairs grows: a touch in one place leaves as many at each size, one along a

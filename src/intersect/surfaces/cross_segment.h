@@ -45,6 +45,7 @@ private:
                 std::vector<CrossSegment> &segments);
     // In places of the parts.
     [[nodiscard]] CrossSegment hermite(const Node &a, const Node &b) const noexcept;
+    void stay_in_pieces(CrossSegment &segment) const noexcept;
     void set_deviation(CrossSegment &segment);
     bool limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept;
     // Of places at which |F| is no larger: how far they are off by coordinates, and the surfaces over them in space.

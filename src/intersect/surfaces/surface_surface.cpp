@@ -3,6 +3,7 @@
 
 #include "base/watch.h"
 #include "intersect/surfaces/cross_curve.h"
+#include "intersect/surfaces/cross_repeats.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +25,8 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     const SurfaceBorders borders_a(grid_a), borders_b(grid_b);
     const CrossSurface on_a{grid_a, borders_a}, on_b{grid_b, borders_b};
     CrossSearch search(a, b, borders_a, borders_b);
-    const CrossParts found = search.run(tolerance);
+    CrossParts found = search.run(tolerance);
+    remove_repeats(on_a, on_b, found);
     CrossChains chains = cross_chains(on_a, on_b, found);
     Meet meet;
     meet.of_two = true;
