@@ -5674,7 +5674,7 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
  * @{ */
 #define NURBS_NODE_BORDER 1 /**< the surface ends or jumps there */
 #define NURBS_NODE_SEAM 2   /**< it closes there on an axis that is not periodic: the branch goes on beyond */
-#define NURBS_NODE_TOUCH 3  /**< a part near the plane in which branches are not told apart */
+#define NURBS_NODE_TOUCH 3  /**< a part within the tolerance in which branches are not told apart */
 #define NURBS_NODE_UNDECIDED 4 /**< a part in which it is left open what there is */
 #define NURBS_NODE_EDGE                                                                                      \
     5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
@@ -5863,12 +5863,17 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * domain of a the side of b to which its normals point is on the left. Branches close, or end in nodes
  * - BORDER: one of both surfaces ends or jumps there.
  * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
+ * - TOUCH: all that both have in the ranges of the node lies between two planes no farther apart than the tolerance, or in a
+ *   box no larger, and branches are not told apart in it: surfaces touch in a point, and no branch ends there; branches cross
+ *   in a point in which the planes of tangents are one, and four ends are there; a loop, or a way between branches, that double
+ *   precision does not tell from these; a pole.
  * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, along curves or in
- *   regions; a derivative vanishes, as at poles; or the limit of work came first. Parts that hang together are one node.
+ *   regions; a derivative vanishes; or the limit of work came first. Parts that hang together are one node.
  *
  * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
  *
- * Outside of these the branches are all there is, to within their deviations. Only curves are told: where just
+ * Outside of these the branches are all there is, to within their deviations. Branches along borders of pieces are told once, and
+ * curves of their domains stay in these. Only curves are told: where just
  * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds for each pair
  * of pieces that meet, and for each piece of a curve. Where surfaces are one in a region, it is the number of pairs
  * of parts within the tolerance that ends the search.

@@ -179,6 +179,16 @@ CrossPiece::Point CrossPiece::evaluate(const std::array<double, 2> &place) const
     return {at, {quotient(by_u), quotient(by_v)}, {by_u[3] * inverse, by_v[3] * inverse}};
 }
 
+bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
+    const double room = a.error() + b.error();
+    for (size_t c = 0; c < 3; ++c) {
+        if (a.box()[c].lower - b.box()[c].upper > room || b.box()[c].lower - a.box()[c].upper > room) {
+            return true;
+        }
+    }
+    return false;
+}
+
 CrossCell::CrossCell(const CrossPiece &piece)
     : piece_(&piece), records_(piece.piece.record(0), piece.piece.record(piece.piece.coefficients())) {
     set_box();

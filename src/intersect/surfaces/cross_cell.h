@@ -174,6 +174,9 @@ private:
     std::array<CrossCell *, 2> halves_{};
 };
 
+// Whether their boxes are.
+bool are_apart(const CrossCell &a, const CrossCell &b) noexcept;
+
 struct CrossCell::Beyond {
     CrossCell cell;
     size_t axis;

@@ -3,7 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/levels/trace/cluster_groups.h"
+#include "intersect/surfaces/cross_clusters.h"
 #include "intersect/surfaces/cross_spot.h"
 
 #include <algorithm>
@@ -22,9 +22,11 @@ constexpr size_t unmatched = static_cast<size_t>(-1);
 
 class CrossJoining {
 public:
-    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossParts &found)
-        : surfaces_{&a, &b}, distances_(a, b), found_(found), next_(found.arcs.size(), unmatched),
-          last_(found.arcs.size(), unmatched), taken_(found.arcs.size(), false) {}
+    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+                 const CrossParts &found)
+        : surfaces_{&a, &b}, distances_(a, b), touch_(touch), found_(found),
+          next_(found.arcs.size(), unmatched), last_(found.arcs.size(), unmatched),
+          taken_(found.arcs.size(), false) {}
 
     CrossChains run() {
         set_spots();
@@ -135,57 +137,11 @@ private:
         }
     }
 
-    // Those that touch on the first surface are one node, with those that are no farther from it than it is large.
     void add_clusters() {
-        std::vector<ParameterRanges> ranges;
-        for (const CrossCluster &cluster : found_.clusters) {
-            ranges.push_back({cluster.ranges[0], cluster.ranges[1]});
+        groups_ = cross_groups(*surfaces_[0], *surfaces_[1], touch_, found_.clusters);
+        for (const CrossGroup &group : groups_) {
+            add_node(group.touch ? NodeKind::touch : NodeKind::undecided, group.ranges);
         }
-        for (const std::vector<size_t> &group :
-             touching_groups(ranges, surfaces_[0]->grid, surfaces_[0]->borders)) {
-            std::array<Interval, 4> all = found_.clusters[group.front()].ranges;
-            for (const size_t member : group) {
-                enclose(found_.clusters[member].ranges, all);
-            }
-            groups_.push_back(all);
-        }
-        std::ranges::sort(groups_, std::ranges::greater(), size_of);
-        absorb();
-        for (const std::array<Interval, 4> &group : groups_) {
-            add_node(NodeKind::undecided, group);
-        }
-    }
-    static double size_of(const std::array<Interval, 4> &ranges) noexcept {
-        return std::max(ranges[0].upper - ranges[0].lower, ranges[1].upper - ranges[1].lower);
-    }
-    static void enclose(const std::array<Interval, 4> &own, std::array<Interval, 4> &all) noexcept {
-        for (size_t i = 0; i < 4; ++i) {
-            all[i] = {std::min(all[i].lower, own[i].lower), std::max(all[i].upper, own[i].upper)};
-        }
-    }
-    // Larger ones come first.
-    void absorb() {
-        constexpr size_t most = 256; // of what is looked at in all pairs
-        for (size_t i = 0; i < std::min(groups_.size(), most); ++i) {
-            for (size_t j = i + 1; j < std::min(groups_.size(), most); ++j) {
-                count_work(20);
-                if (are_near(groups_[i], groups_[j])) {
-                    enclose(groups_[j], groups_[i]);
-                    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(j));
-                    j = i;
-                }
-            }
-        }
-    }
-    static bool are_near(const std::array<Interval, 4> &large,
-                         const std::array<Interval, 4> &small) noexcept {
-        for (size_t i = 0; i < 4; ++i) {
-            const double room = 2 * (large[i].upper - large[i].lower);
-            if (!(small[i].lower <= large[i].upper + room && small[i].upper >= large[i].lower - room)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     int64_t add_node(NodeKind kind, const std::array<Interval, 4> &ranges) {
@@ -217,7 +173,7 @@ private:
             return add_node(NodeKind::border, spot);
         }
         for (size_t group = 0; group < groups_.size(); ++group) {
-            if (is_in(spot, groups_[group])) {
+            if (is_in(spot, groups_[group].ranges)) {
                 return static_cast<int64_t>(group);
             }
         }
@@ -269,6 +225,9 @@ private:
             return;
         }
         const bool cut = closed && is_seam(arcs.back(), arcs.front());
+        if (!closed && is_in_touch(arcs)) {
+            return;
+        }
         const size_t begun = result_.chains.size();
         const int64_t loop = closed ? loops_++ : -1;
         CrossChain chain;
@@ -283,6 +242,18 @@ private:
         if (cut) {
             go_on(result_.chains.back().nodes[1], result_.chains[begun].nodes[0]);
         }
+    }
+    // Whether all of a chain is in a part where branches are not told apart.
+    [[nodiscard]] bool is_in_touch(const std::vector<size_t> &arcs) const noexcept {
+        for (size_t group = 0; group < groups_.size(); ++group) {
+            if (groups_[group].touch && std::ranges::all_of(arcs, [&](size_t arc) {
+                    return is_in(spots_[0][arc], groups_[group].ranges) &&
+                           is_in(spots_[1][arc], groups_[group].ranges);
+                })) {
+                return true;
+            }
+        }
+        return false;
     }
     // Parts of one way follow each other.
     void add_part(CrossChain chain, int64_t loop, size_t begun) {
@@ -305,20 +276,22 @@ private:
 
     std::array<const CrossSurface *, 2> surfaces_;
     CrossDistances distances_;
+    const CrossTouch &touch_;
     const CrossParts &found_;
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
     std::vector<size_t> next_, last_;             // arcs
     std::vector<bool> taken_;
-    std::vector<double> lengths_;                 // of arcs
-    std::vector<std::array<Interval, 4>> groups_; // of clusters: the first nodes
+    std::vector<double> lengths_;    // of arcs
+    std::vector<CrossGroup> groups_; // of clusters: the first nodes
     int64_t loops_ = 0;
     CrossChains result_;
 };
 
 } // namespace
 
-CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossParts &found) {
-    return CrossJoining(a, b, found).run();
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+                         const CrossParts &found) {
+    return CrossJoining(a, b, touch, found).run();
 }
 
 } // namespace nrb::intersect

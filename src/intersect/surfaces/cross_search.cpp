@@ -20,16 +20,6 @@ constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
 constexpr double thick = 32;
 
-bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
-    const double room = a.error() + b.error();
-    for (size_t c = 0; c < 3; ++c) {
-        if (a.box()[c].lower - b.box()[c].upper > room || b.box()[c].lower - a.box()[c].upper > room) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // How far the middle of a part is from another one, near its foot there; infinite if that is not in the wide part.
 double distance_of_middle(const CrossCell &from, const CrossCell &to) noexcept {
     constexpr int most_steps = 4;

@@ -37,6 +37,7 @@ public:
     CrossParts run(double tolerance);
 
     [[nodiscard]] const pieces::Frame &frame() const noexcept { return frame_; }
+    [[nodiscard]] CrossGround &ground(size_t surface) noexcept { return (surface == 0 ? a_ : b_).ground; }
 
 private:
     using PairCell = closest::PairCell;

@@ -27,7 +27,8 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     CrossSearch search(a, b, borders_a, borders_b);
     CrossParts found = search.run(tolerance);
     remove_repeats(on_a, on_b, found);
-    CrossChains chains = cross_chains(on_a, on_b, found);
+    const CrossTouch touch(search.ground(0), search.ground(1), search.frame().scaled(tolerance));
+    CrossChains chains = cross_chains(on_a, on_b, touch, found);
     Meet meet;
     meet.of_two = true;
     meet.nodes = std::move(chains.nodes);
