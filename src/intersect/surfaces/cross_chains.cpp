@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -43,6 +43,7 @@ public:
     }
 
 private:
+    using Begin = std::pair<double, size_t>; // a place, and the arc
     struct Match {
         double apart;
         size_t from, to;
@@ -96,17 +97,11 @@ private:
     }
     // Pairs of an end and a beginning, the nearest ones first.
     void match(double wide) {
-        std::vector<std::pair<double, size_t>> begins;
-        for (size_t arc = 0; arc < next_.size(); ++arc) {
-            if (!taken_[arc] && last_[arc] == unmatched && !found_.arcs[arc].ends[0].open) {
-                begins.emplace_back(key(spots_[0][arc]), arc);
-            }
-        }
-        std::ranges::sort(begins);
+        set_begins();
         std::vector<Match> matches;
         for (size_t arc = 0; arc < next_.size(); ++arc) {
             if (!taken_[arc] && next_[arc] == unmatched && !found_.arcs[arc].ends[1].open) {
-                add_matches(arc, wide, begins, matches);
+                add_matches(arc, wide, matches);
             }
         }
         std::ranges::sort(matches, {}, [](const Match &m) { return std::tuple(m.apart, m.from, m.to); });
@@ -117,22 +112,40 @@ private:
             }
         }
     }
-    // Along the first axis.
-    [[nodiscard]] double key(const CrossSpot &spot) const noexcept {
-        const double at = static_cast<double>(spot.index[0]) + spot.place[0],
-                     n = static_cast<double>(count(0));
-        return wraps(0) && at >= n - one_place ? at - n : at;
+    void set_begins() {
+        for (size_t i = 0; i < 4; ++i) {
+            begins_[i].clear();
+            for (size_t arc = 0; arc < next_.size(); ++arc) {
+                if (!taken_[arc] && last_[arc] == unmatched && !found_.arcs[arc].ends[0].open) {
+                    begins_[i].emplace_back(key(spots_[0][arc], i), arc);
+                }
+            }
+            std::ranges::sort(begins_[i]);
+        }
     }
-    void add_matches(size_t arc, double wide, const std::vector<std::pair<double, size_t>> &begins,
-                     std::vector<Match> &matches) const {
-        const double at = key(spots_[1][arc]), window = 64 * (one_place + spots_[1][arc].noise[0]);
-        auto begin = std::ranges::lower_bound(begins, std::pair(at - window, size_t{0}));
-        for (; begin != begins.end() && begin->first <= at + window; ++begin) {
+    // Along an axis.
+    [[nodiscard]] double key(const CrossSpot &spot, size_t i) const noexcept {
+        const double at = static_cast<double>(spot.index[i]) + spot.place[i],
+                     n = static_cast<double>(count(i));
+        return wraps(i) && at >= n - one_place ? at - n : at;
+    }
+    // Of the beginnings near it along the axis along which these are fewest: many may be on one side of pieces.
+    void add_matches(size_t arc, double wide, std::vector<Match> &matches) const {
+        const CrossSpot &end = spots_[1][arc];
+        std::span<const Begin> near;
+        for (size_t i = 0; i < 4; ++i) {
+            const double at = key(end, i), window = 64 * (one_place + end.noise[i]);
+            const auto first = std::ranges::lower_bound(begins_[i], Begin(at - window, 0)),
+                       last = std::ranges::lower_bound(begins_[i], Begin(at + window, unmatched));
+            const std::span<const Begin> own(first, last);
+            near = i == 0 || own.size() < near.size() ? own : near;
+        }
+        count_work(100);
+        for (const auto &[at, begin] : near) {
             count_work(40);
-            const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
-            const double far = distances_.apart(end, start, one_place);
-            if (far <= wide && !(begin->second == arc && is_short(arc))) {
-                matches.push_back({far, arc, begin->second});
+            const double far = distances_.apart(end, spots_[0][begin], one_place);
+            if (far <= wide && !(begin == arc && is_short(arc))) {
+                matches.push_back({far, arc, begin});
             }
         }
     }
@@ -173,6 +186,7 @@ private:
             return add_node(NodeKind::border, spot);
         }
         for (size_t group = 0; group < groups_.size(); ++group) {
+            count_work(4);
             if (is_in(spot, groups_[group].ranges)) {
                 return static_cast<int64_t>(group);
             }
@@ -279,6 +293,7 @@ private:
     const CrossTouch &touch_;
     const CrossParts &found_;
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
+    std::array<std::vector<Begin>, 4> begins_;    // of what may go on, along each axis
     std::vector<size_t> next_, last_;             // arcs
     std::vector<bool> taken_;
     std::vector<double> lengths_;    // of arcs

@@ -16,6 +16,12 @@ std::array<int, 2> degrees_of(const Spline &surface) noexcept {
     return {surface.axis(0).degree(), surface.axis(1).degree()};
 }
 
+// Curves are made of the other half of the work.
+CrossParts parts_of(CrossSearch &search, double tolerance) {
+    const HalfOfWork half;
+    return search.run(tolerance);
+}
+
 } // namespace
 
 Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
@@ -25,7 +31,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     const SurfaceBorders borders_a(grid_a), borders_b(grid_b);
     const CrossSurface on_a{grid_a, borders_a}, on_b{grid_b, borders_b};
     CrossSearch search(a, b, borders_a, borders_b);
-    CrossParts found = search.run(tolerance);
+    CrossParts found = parts_of(search, tolerance);
     remove_repeats(on_a, on_b, found);
     const CrossTouch touch(search.ground(0), search.ground(1), search.frame().scaled(tolerance));
     CrossChains chains = cross_chains(on_a, on_b, touch, found);
