@@ -189,14 +189,15 @@ bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
     return false;
 }
 
-CrossCell::CrossCell(const CrossPiece &piece)
-    : piece_(&piece), records_(piece.piece.record(0), piece.piece.record(piece.piece.coefficients())) {
+CrossCell::CrossCell(const CrossPiece &piece, std::pmr::memory_resource *memory)
+    : piece_(&piece), records_(piece.piece.record(0), piece.piece.record(piece.piece.coefficients()), memory),
+      wide_(memory) {
     set_box();
 }
 
-CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records)
+CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::pmr::vector<double> records)
     : piece_(whole.piece_), lower_(whole.lower_), upper_(whole.upper_), length_(whole.length_),
-      depth_(whole.depth_ + 1), records_(std::move(records)) {
+      depth_(whole.depth_ + 1), records_(std::move(records)), wide_(records_.get_allocator()) {
     const double between = lower_[axis] + place_of_halves * length_[axis];
     (end == 0 ? upper_ : lower_)[axis] = between;
     length_[axis] = upper_[axis] - lower_[axis];
@@ -316,7 +317,7 @@ void CrossCell::set_wide(std::vector<double> &records) {
     centre_ = point.at;
     slope_ = {length_[0] * point.slope[0], length_[1] * point.slope[1]};
     const std::array<double, 2> turns{length_[0] * point.turn[0], length_[1] * point.turn[1]};
-    points_.resize(records.size() / width * 3);
+    wide_.resize(records.size() / width * 9);
     for (size_t i = 0; i < records.size() / width; ++i) {
         double *record = records.data() + width * i;
         const Vector3 a{record[0] - record[3] * centre_.x, record[1] - record[3] * centre_.y,
@@ -325,9 +326,9 @@ void CrossCell::set_wide(std::vector<double> &records) {
         record[1] = a.y;
         record[2] = a.z;
         const Vector3 from = (1 / record[3]) * a;
-        points_[3 * i] = from.x;
-        points_[3 * i + 1] = from.y;
-        points_[3 * i + 2] = from.z;
+        wide_[3 * i] = from.x;
+        wide_[3 * i + 1] = from.y;
+        wide_[3 * i + 2] = from.z;
         reach_ = std::max(reach_, numeric::length(from));
     }
     for (size_t k = 0; k < 2; ++k) {
@@ -373,8 +374,7 @@ void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, doub
     const auto degree = static_cast<size_t>(layers.degree), inner = static_cast<size_t>(layers.inner);
     const std::vector<double> lower = derivatives(records, axis);
     const std::array<double, width> middle{slope_[axis].x, slope_[axis].y, slope_[axis].z, turn};
-    std::vector<double> &off = slopes_[axis];
-    off.reserve(records.size() / width * 3);
+    double *off = wide_.data() + (1 + axis) * (wide_.size() / 3);
     double largest_turn = 0, largest = 0;
     for (size_t at = 0; at < records.size(); at += width) {
         const size_t i = at / inner % (degree + 1), outer = at / inner / (degree + 1);
@@ -385,8 +385,8 @@ void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, doub
             by[c] = (i > 0 ? share * (above - inner)[c] : 0) + (i < degree ? (1 - share) * above[c] : 0);
         }
         for (size_t c = 0; c < 3; ++c) {
-            off.push_back(by[c] - middle[c] * own[3] - turn * own[c]);
-            largest = std::max(largest, std::abs(off.back()));
+            *off = by[c] - middle[c] * own[3] - turn * own[c];
+            largest = std::max(largest, std::abs(*off++));
         }
         largest_turn = std::max(largest_turn, std::abs(by[3] - turn * own[3]));
     }
@@ -399,8 +399,9 @@ void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, doub
 
 Interval CrossCell::points_along(const Vector3 &vector) const noexcept {
     Interval range{infinity, -infinity};
-    for (size_t i = 0; i < points_.size(); i += 3) {
-        const double x = dot3(vector, &points_[i]);
+    const std::span<const double> points = this->points();
+    for (size_t i = 0; i < points.size(); i += 3) {
+        const double x = dot3(vector, &points[i]);
         range = {std::min(range.lower, x), std::max(range.upper, x)};
     }
     return range;
@@ -413,8 +414,9 @@ CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
     const double least = 1 / weights_.upper, most = 1 / weights_.lower;
     for (size_t k = 0; k < 2; ++k) {
         Interval range{infinity, -infinity};
-        for (size_t i = 0; i < slopes_[k].size(); i += 3) {
-            const double x = dot3(vector, &slopes_[k][i]);
+        const std::span<const double> slopes = this->slopes(k);
+        for (size_t i = 0; i < slopes.size(); i += 3) {
+            const double x = dot3(vector, &slopes[i]);
             range = {std::min(range.lower, x), std::max(range.upper, x)};
         }
         range = {range.lower - far * turns_[k], range.upper + far * turns_[k]};
@@ -427,8 +429,9 @@ CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
 
 double CrossCell::largest_slope(size_t axis) const noexcept {
     double most = 0;
-    for (size_t i = 0; i < slopes_[axis].size(); i += 3) {
-        most = std::max(most, norm(&slopes_[axis][i], 3));
+    const std::span<const double> slopes = this->slopes(axis);
+    for (size_t i = 0; i < slopes.size(); i += 3) {
+        most = std::max(most, norm(&slopes[i], 3));
     }
     return 1.0001 * (numeric::length(slope_[axis]) + (most + reach_ * turns_[axis]) / weights_.lower +
                      slope_errors_[axis]);
@@ -453,7 +456,8 @@ bool CrossCell::split(std::deque<CrossCell> &all) {
         return false;
     }
     const AxisLayers layers = layers_along(axis, piece_->degrees);
-    std::vector<double> upper = records_, lower(upper.size());
+    std::pmr::vector<double> upper(records_, records_.get_allocator()),
+        lower(records_.size(), records_.get_allocator());
     subdivide(layers, place_of_halves, upper.data(), lower.data());
     halves_[1] = &all.emplace_back(*this, axis, 1, std::move(upper));
     halves_[0] = &all.emplace_back(*this, axis, 0, std::move(lower));

@@ -10,7 +10,9 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <memory_resource>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace nrb::intersect {
@@ -96,9 +98,10 @@ struct CrossExtents {
 // asked for.
 class CrossCell {
 public:
-    explicit CrossCell(const CrossPiece &piece);
+    // memory: of the part and its halves, which lasts as long as they do.
+    CrossCell(const CrossPiece &piece, std::pmr::memory_resource *memory);
     // A half, with its records.
-    CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records);
+    CrossCell(const CrossCell &whole, size_t axis, size_t end, std::pmr::vector<double> records);
     // Any part, which is not halved.
     CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places);
 
@@ -148,6 +151,10 @@ public:
     [[nodiscard]] CrossCell *half(size_t end) const noexcept { return halves_[end]; }
 
 private:
+    [[nodiscard]] std::span<const double> points() const noexcept { return {wide_.data(), wide_.size() / 3}; }
+    [[nodiscard]] std::span<const double> slopes(size_t axis) const noexcept {
+        return {wide_.data() + (1 + axis) * (wide_.size() / 3), wide_.size() / 3};
+    }
     [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side, of the piece
     void set_box();
     void set_wide(std::vector<double> &records);
@@ -158,14 +165,14 @@ private:
     const CrossPiece *piece_;
     std::array<double, 2> lower_{0, 0}, upper_{1, 1}, length_{1, 1};
     int depth_ = 0;
-    std::vector<double> records_; // [degree + 1][degree + 1][4]
+    std::pmr::vector<double> records_; // [degree + 1][degree + 1][4]
     std::array<Interval, 3> box_{};
     double size_ = 0;
 
     enum class State { unknown, positive, other } state_ = State::unknown;
-    std::vector<double> points_;                // from the centre
-    std::array<std::vector<double>, 2> slopes_; // of set_slopes()
-    std::array<double, 2> turns_{}, bends_{};   // of weights; how much derivatives change
+    // Of the wide part: points from the centre, and of both axes those of set_slopes(); in one piece, as cells are many.
+    std::pmr::vector<double> wide_;
+    std::array<double, 2> turns_{}, bends_{}; // of weights; how much derivatives change
     Interval weights_{1, 1};
     double error_ = 0, reach_ = 0;
     std::array<double, 2> slope_errors_{};

@@ -62,7 +62,7 @@ CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const
 CrossCell &CrossSearch::Side::root(PairCell &cell) {
     if (cell.mark == 0) {
         pieces.emplace_back(*cell.piece, ground);
-        roots.push_back(&parts.emplace_back(pieces.back()));
+        roots.push_back(&parts.emplace_back(pieces.back(), &memory));
         cell.mark = roots.size();
         count_work(work_of_a_kept_part);
     }

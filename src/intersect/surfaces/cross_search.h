@@ -49,6 +49,7 @@ private:
         CrossGround ground;
         closest::PairCells cells;
         std::deque<CrossPiece> pieces;
+        std::pmr::monotonic_buffer_resource memory; // of the parts, which are many: it is given back at once
         std::deque<CrossCell> parts;
         std::vector<CrossCell *> roots; // by marks of cells
     };
