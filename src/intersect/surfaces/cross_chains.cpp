@@ -179,6 +179,18 @@ private:
         return add_node(kind, ranges);
     }
 
+    // Whether a spot is where a surface ends or jumps, to rounding: the end of an arc on another side may be there, too.
+    [[nodiscard]] bool is_at_border(const CrossSpot &spot) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = one_place + spot.noise[i], at = spot.place[i];
+            const SurfaceBorders &borders = surfaces_[i / 2]->borders;
+            if ((at <= room && !borders.goes_on(i % 2, spot.index[i], false)) ||
+                (at >= 1 - room && !borders.goes_on(i % 2, spot.index[i], true))) {
+                return true;
+            }
+        }
+        return false;
+    }
     // Where a way begins or ends.
     int64_t node_at(size_t arc, size_t end) {
         const CrossSpot &spot = spots_[end][arc];
@@ -191,7 +203,7 @@ private:
                 return static_cast<int64_t>(group);
             }
         }
-        return add_node(NodeKind::undecided, spot);
+        return add_node(is_at_border(spot) ? NodeKind::border : NodeKind::undecided, spot);
     }
     // With what sides are shifted by, and what seams move. Around parts in which arcs are not told apart there are some in which
     // rounding hides them.
@@ -239,7 +251,7 @@ private:
             return;
         }
         const bool cut = closed && is_seam(arcs.back(), arcs.front());
-        if (!closed && is_in_touch(arcs)) {
+        if (!closed && is_in_group(arcs)) {
             return;
         }
         const size_t begun = result_.chains.size();
@@ -257,17 +269,18 @@ private:
             go_on(result_.chains.back().nodes[1], result_.chains[begun].nodes[0]);
         }
     }
-    // Whether all of a chain is in a part where branches are not told apart.
-    [[nodiscard]] bool is_in_touch(const std::vector<size_t> &arcs) const noexcept {
-        for (size_t group = 0; group < groups_.size(); ++group) {
-            if (groups_[group].touch && std::ranges::all_of(arcs, [&](size_t arc) {
-                    return is_in(spots_[0][arc], groups_[group].ranges) &&
-                           is_in(spots_[1][arc], groups_[group].ranges);
-                })) {
-                return true;
-            }
+    // Whether all of a chain is in a part where branches are not told apart, or is but little of what is left open.
+    [[nodiscard]] bool is_in_group(const std::vector<size_t> &arcs) const noexcept {
+        constexpr double little = 0x1p-8; // of pieces
+        double length = 0;
+        for (const size_t arc : arcs) {
+            length += length_of(spots_[0][arc], spots_[1][arc]);
         }
-        return false;
+        return std::ranges::any_of(groups_, [&](const CrossGroup &group) {
+            return (group.touch || length <= little) && std::ranges::all_of(arcs, [&](size_t arc) {
+                       return is_in(spots_[0][arc], group.ranges) && is_in(spots_[1][arc], group.ranges);
+                   });
+        });
     }
     // Parts of one way follow each other.
     void add_part(CrossChain chain, int64_t loop, size_t begun) {
