@@ -31,6 +31,11 @@ struct MeetNode {
     std::array<Interval, 2> range_second{};
 };
 
+enum class BranchKind : int32_t {
+    crossing = 1, // from one side to the other
+    touch = 2,    // planes of tangents are one all along
+};
+
 // Curves with common knots, in space and in the parameter domain.
 struct MeetBranch {
     int64_t level;
@@ -40,6 +45,7 @@ struct MeetBranch {
     int64_t loop;                     // the closed way that it is part of, or all of; -1: of none
     int64_t face = -1, instance = -1; // of a model
     SplinePtr on_second = nullptr;    // in the domain of the other surface, of two
+    BranchKind kind = BranchKind::crossing;
 };
 
 // Branches one after the other, each of which goes on where the one before ends.

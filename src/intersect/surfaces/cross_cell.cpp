@@ -285,6 +285,12 @@ void CrossCell::set_box() {
     count_work(8 * std::ssize(records_));
 }
 
+void CrossCell::widen(const double *records, double *half, double *wide) const {
+    const auto &widenings = piece_->ground->widenings;
+    apply(widenings[0], layers_along(0, piece_->degrees), records, half);
+    apply(widenings[1], layers_along(1, piece_->degrees), half, wide);
+}
+
 bool CrossCell::prepare() {
     if (state_ != State::unknown) {
         return state_ == State::positive;
@@ -293,9 +299,7 @@ bool CrossCell::prepare() {
     Scratch scratch(records_.size());
     double *const half = scratch.take(records_.size());
     const auto &[p, q] = piece_->degrees;
-    const auto &widenings = piece_->ground->widenings;
-    apply(widenings[0], layers_along(0, piece_->degrees), records_.data(), half);
-    apply(widenings[1], layers_along(1, piece_->degrees), half, wide.data());
+    widen(records_.data(), half, wide.data());
     count_work((p + q + 8) * std::ssize(wide));
     weights_ = {infinity, 0};
     for (size_t i = 3; i < wide.size(); i += width) {

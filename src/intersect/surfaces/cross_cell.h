@@ -94,6 +94,12 @@ struct CrossExtents {
     std::array<Interval, 2> slopes;
 };
 
+// The same with all second derivatives: by both, 00, 01 and 11.
+struct CrossBends {
+    CrossExtents extents;
+    std::array<Interval, 3> bends;
+};
+
 // A part of a piece, of half its length along an axis again and again. What is known of the wide part is made when it is
 // asked for.
 class CrossCell {
@@ -141,6 +147,7 @@ public:
     [[nodiscard]] const Vector3 &slope(size_t axis) const noexcept { return slope_[axis]; }
     [[nodiscard]] CrossExtents along(const Vector3 &vector) const noexcept;
     [[nodiscard]] Interval points_along(const Vector3 &vector) const noexcept;
+    [[nodiscard]] CrossBends bends_along(const Vector3 &vector) const;
     // Of derivatives by places in the part.
     [[nodiscard]] double largest_slope(size_t axis) const noexcept;
     [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
@@ -157,6 +164,8 @@ private:
     }
     [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side, of the piece
     void set_box();
+    // Records of the wide part; half: room for as many.
+    void widen(const double *records, double *half, double *wide) const;
     void set_wide(std::vector<double> &records);
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
     void set_slopes(const std::vector<double> &records, size_t axis, double turn);

@@ -72,7 +72,7 @@ CrossCell &CrossSearch::Side::root(PairCell &cell) {
 CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                          const SurfaceBorders &borders_b)
     : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a, side_shifts[0]),
-      b_(b, frame_, borders_b, side_shifts[1]) {}
+      b_(b, frame_, borders_b, side_shifts[1]), solver_(a_.ground, b_.ground), contact_(solver_) {}
 
 CrossParts CrossSearch::run(double tolerance) {
     tolerance_ = frame_.scaled(tolerance);
@@ -165,7 +165,7 @@ void CrossSearch::look(const Pair &pair) {
             count_work(work_of_a_kept_part);
             found_.arcs.push_back(finder_.arc());
         } else if (verdict == ArcFinder::Verdict::open) {
-            halve({pair.a, pair.b, true}, box_.chart.first_bends_more());
+            halve({pair.a, pair.b, true, pair.no_contact}, box_.chart.first_bends_more());
         }
         return;
     }
@@ -212,9 +212,29 @@ bool CrossSearch::are_along(const Pair &pair) {
     return alike;
 }
 
-void CrossSearch::look_at_flat(const Pair &pair) {
+bool CrossSearch::look_for_contact(Pair &pair) {
+    constexpr double largest = 0.5;
+    if (pair.graph || pair.no_contact || std::min(pair.a->size(), pair.b->size()) > largest ||
+        !are_parallel(*pair.a, *pair.b, 0.9)) {
+        return false;
+    }
+    switch (contact_.look(*pair.a, *pair.b)) {
+    case ContactChart::Verdict::contact:
+        count_work(work_of_a_kept_part);
+        found_.contacts.push_back({ranges_of({pair.a, pair.b, {}}), contact_.place(), contact_.change()});
+        return true;
+    case ContactChart::Verdict::apart:
+        pair.no_contact = true;
+        return false;
+    case ContactChart::Verdict::open:
+        return false;
+    }
+    return false;
+}
+
+void CrossSearch::look_at_flat(Pair pair) {
     const double thickness = this->thickness(pair), error = pair.a->piece().error + pair.b->piece().error;
-    if (thickness < 0) {
+    if (thickness < 0 || look_for_contact(pair)) {
         return;
     }
     const bool first =
@@ -238,7 +258,8 @@ void CrossSearch::halve(const Pair &pair, bool first) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
         if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
             for (size_t end = 0; end < 2; ++end) {
-                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph});
+                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph,
+                                 pair.no_contact});
             }
             return;
         }

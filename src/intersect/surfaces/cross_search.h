@@ -3,6 +3,7 @@
 #pragma once
 
 #include "closest/pair/pair_cells.h"
+#include "intersect/surfaces/contact/contact_chart.h"
 #include "intersect/surfaces/cross_arc.h"
 
 #include <deque>
@@ -16,8 +17,16 @@ struct CrossCluster {
     bool near = false;              // they are within the tolerance of each other all over, and of one plane
 };
 
+// A pair of parts with a ContactChart.
+struct CrossContact {
+    std::array<Interval, 4> ranges;
+    ContactPoint place;
+    double change; // ContactChart::change()
+};
+
 struct CrossParts {
     std::vector<CrossArc> arcs;
+    std::vector<CrossContact> contacts;
     std::vector<CrossCluster> clusters;
 };
 
@@ -37,6 +46,7 @@ public:
     CrossParts run(double tolerance);
 
     [[nodiscard]] const pieces::Frame &frame() const noexcept { return frame_; }
+    [[nodiscard]] const ContactSolver &solver() const noexcept { return solver_; }
     [[nodiscard]] CrossGround &ground(size_t surface) noexcept { return (surface == 0 ? a_ : b_).ground; }
 
 private:
@@ -55,9 +65,11 @@ private:
     };
     // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
     // both sides of it go on in each other, or end.
+    // no_contact: of a pair that does not touch where it is nearest.
     struct Pair {
         CrossCell *a, *b;
         bool graph = false;
+        bool no_contact = false;
     };
 
     void find_pieces();
@@ -65,7 +77,8 @@ private:
     void divide(PairCell &a, PairCell &b);
     void look(const Pair &pair);
     void halve(const Pair &pair, bool first);
-    void look_at_flat(const Pair &pair);
+    void look_at_flat(Pair pair);
+    bool look_for_contact(Pair &pair);
     bool are_along(const Pair &pair);
     void settle_crowds();
     void add(const Pair &pair, bool near);
@@ -84,6 +97,8 @@ private:
     std::vector<FlatPair> flat_;
     size_t alike_ = 0; // pairs of this size of which one lies on the other
     bool crowded_ = false;
+    ContactSolver solver_;
+    ContactChart contact_;
     ArcFinder finder_;
     CrossBox box_{};
     CrossParts found_;

@@ -26,12 +26,21 @@ int degree_of_differences(const std::array<int, 2> &a, const std::array<int, 2> 
 
 } // namespace
 
+CubicSamples CrossFitter::samples_for(const std::array<int, 2> &degrees_a,
+                                      const std::array<int, 2> &degrees_b) {
+    return CubicSamples(2 * degree_of_differences(degrees_a, degrees_b));
+}
+
+std::vector<double> CrossFitter::sampling_for(const std::array<int, 2> &degrees_a,
+                                              const std::array<int, 2> &degrees_b) {
+    const int most = std::max({degrees_a[0], degrees_a[1], degrees_b[0], degrees_b[1]});
+    return std::vector<double>(16 * (static_cast<size_t>(most) + 1));
+}
+
 CrossFitter::CrossFitter(const std::array<int, 2> &degrees_a, const std::array<int, 2> &degrees_b,
                          double tolerance)
-    : tolerance_(tolerance), samples_(2 * degree_of_differences(degrees_a, degrees_b)) {
-    const int most = std::max({degrees_a[0], degrees_a[1], degrees_b[0], degrees_b[1]});
-    sampling_.resize(16 * (static_cast<size_t>(most) + 1));
-}
+    : tolerance_(tolerance), samples_(samples_for(degrees_a, degrees_b)),
+      sampling_(sampling_for(degrees_a, degrees_b)) {}
 
 void CrossFitter::set_arc(const CrossArc &arc) {
     arc_ = &arc;

@@ -32,6 +32,12 @@ public:
 
     void fit(const CrossArc &arc, std::vector<CrossSegment> &segments);
 
+    // Where differences are sampled, and room for it.
+    [[nodiscard]] static CubicSamples samples_for(const std::array<int, 2> &degrees_a,
+                                                  const std::array<int, 2> &degrees_b);
+    [[nodiscard]] static std::vector<double> sampling_for(const std::array<int, 2> &degrees_a,
+                                                          const std::array<int, 2> &degrees_b);
+
 private:
     struct Node {
         CrossPlace at{}, tangent_on{};

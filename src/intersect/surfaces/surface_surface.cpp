@@ -2,6 +2,7 @@
 #include "intersect/surfaces/surface_surface.h"
 
 #include "base/watch.h"
+#include "intersect/surfaces/contact/contact_curves.h"
 #include "intersect/surfaces/cross_curve.h"
 #include "intersect/surfaces/cross_repeats.h"
 
@@ -33,6 +34,9 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     CrossSearch search(a, b, borders_a, borders_b);
     CrossParts found = parts_of(search, tolerance);
     remove_repeats(on_a, on_b, found);
+    const double in_frame = search.frame().scaled(tolerance);
+    ContactTracer tracer(search.solver(), degrees_of(a), degrees_of(b), in_frame);
+    const std::vector<ContactCurve> contacts = contact_curves(tracer, in_frame, found);
     const CrossTouch touch(search.ground(0), search.ground(1), search.frame().scaled(tolerance));
     CrossChains chains = cross_chains(on_a, on_b, touch, found);
     Meet meet;
@@ -52,6 +56,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
         branch.nodes = chain.nodes;
         branch.loop = chain.loop;
     }
+    add_branches(contacts, search.frame(), on_a, on_b, meet);
     return meet;
 }
 
