@@ -228,6 +228,18 @@ nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *level
     });
 }
 
+nurbs_status nurbs_meet_branch_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("kinds", kinds, filled), memory("count", count, 1)}, {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(kinds, i, static_cast<int32_t>(branches[i].kind));
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
+
 nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces, int64_t *own_instances,
                               int64_t *count) {
     return guard([&] {

@@ -5680,6 +5680,12 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
     5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
 /** @} */
 
+/** \name Kinds of branches of a nurbs_meet
+ * @{ */
+#define NURBS_BRANCH_CROSSING 1 /**< a curve in which a plane, a function or a surface cuts a surface */
+#define NURBS_BRANCH_TOUCH 2    /**< a curve along which two surfaces touch: the planes of tangents are one all along */
+/** @} */
+
 /** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
  * until normal . S changes strictly along one parameter, so that the section is a graph over the other one, in
  * which neither a loop nor an end can hide; curves of neighbours end in the same places. Every branch has
@@ -5867,8 +5873,16 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  *   box no larger, and branches are not told apart in it: surfaces touch in a point, and no branch ends there; branches cross
  *   in a point in which the planes of tangents are one, and four ends are there; a loop, or a way between branches, that double
  *   precision does not tell from these; a pole.
- * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, along curves or in
- *   regions; a derivative vanishes; or the limit of work came first. Parts that hang together are one node.
+ * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, in regions, or along curves
+ *   across which their distance does not bend all along; a derivative vanishes; or the limit of work came first. Parts that
+ *   hang together are one node.
+ *
+ * Branches of the kind NURBS_BRANCH_TOUCH (nurbs_meet_branch_kinds()) are curves along which surfaces touch: in the parts around,
+ * the second derivative of the height of one over the other across the curve is proven to have one sign, so that in each place
+ * along it this has one least (or largest) value; it is 0 to rounding in as many places as it takes to bound it by the
+ * tolerance between them. What both have in common there is no farther from the curve than sqrt(2 tolerance / that
+ * derivative), and branches that double precision does not tell from it are not told apart. The deviation is that from both
+ * surfaces.
  *
  * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
  *
@@ -5933,6 +5947,17 @@ NURBS_API nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branch
 NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *levels,
                                            int64_t *end_nodes, int64_t *loops, double *deviations,
                                            int64_t *count);
+
+/** \brief The kinds of the branches of a meet.
+ * \param[in] meet a meet.
+ * \param[in] cap length of the output: 0, or at least the number of branches.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each; of anything but nurbs_surface_intersections()
+ *   NURBS_BRANCH_CROSSING.
+ * \param[out] count or NULL: number of branches.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_meet_branch_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds,
+                                               int64_t *count);
 
 /** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
  * \param[in] meet a meet.

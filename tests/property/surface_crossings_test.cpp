@@ -462,7 +462,62 @@ TEST(SurfaceCrossings, TouchesInPoints) {
     }
 }
 
-// What touches along curves or in regions is left open: where, and nothing else.
+// Curves along which surfaces touch, at any place in space, as branches of that kind.
+TEST(SurfaceCrossings, TouchesAlongCurves) {
+    struct Touch {
+        SplineData a, b;
+        Counts ways;
+        double length;
+        const char *name;
+    };
+    const std::vector<Touch> touches{
+        {ring(1.2, 0.5), flat(0.5), {0, 1}, 2.4 * pi, "a ring below a plane"},
+        {ring(1.2, 0.5), flat(-0.5), {0, 1}, 2.4 * pi, "a ring on a plane"},
+        {ball(1, {0, 0, 0}), tube(1, 2), {0, 1}, 2 * pi, "a ball in a tube"},
+        {ball(1, {0, 0, 0.3}), tube(1, 2), {0, 1}, 2 * pi, "another place in it"},
+        {ball(1.7, {0, 0, 0}), ring(2.5, 0.8), {0, 1}, 3.4 * pi, "a ball in a ring"},
+        {ball(3.3, {0, 0, 0}), ring(2.5, 0.8), {0, 1}, 6.6 * pi, "a ring in a ball"},
+        {tube(1, 1.5), support::moved(upright(pi / 2), {1, 0, 0}), {1, 0}, 3, "a tube on a plane"},
+        {tube(1, 1.5), support::moved(tube(0.5, 1), {0.9, 1.2, 0.2}), {1, 0}, 2, "tubes side by side"},
+        {revolved(ellipse_arc(0, 0, 1, 1, 0, pi / 2), 0, 2 * pi),
+         tube(1, 2),
+         {0, 1},
+         2 * pi,
+         "half a ball that ends where it touches a tube"}};
+    Random random(0x5c04);
+    for (const Touch &touch : touches) {
+        for (const bool moved : {false, true}) {
+            SCOPED_TRACE(touch.name);
+            SplineData data_a = touch.a, data_b = touch.b;
+            if (moved) {
+                const Motion motion = random_motion(random, 3, 1, 0.3);
+                move(data_a, motion);
+                move(data_b, motion);
+            }
+            const Handle a = create(data_a), b = create(data_b);
+            const Crossing crossing = crossing_of(a.get(), b.get(), 1e-5);
+            EXPECT_TRUE(crossing.found.complete);
+            EXPECT_EQ(crossing.open_ways, touch.ways.open);
+            EXPECT_EQ(crossing.closed_ways, touch.ways.closed);
+            EXPECT_NEAR(length_of(crossing.found), touch.length, 1e-4);
+            EXPECT_EQ(std::ranges::count(crossing.kinds, NURBS_BRANCH_TOUCH), std::ssize(crossing.kinds));
+            check_curves(crossing, Ground(a.get(), data_a), Ground(b.get(), data_b));
+            check_nodes(crossing, 1e-9);
+        }
+    }
+}
+
+// What all but touches along curves is told as what it is: two curves beside each other, or none.
+TEST(SurfaceCrossings, NearTouchesAlongCurves) {
+    for (const double by : {1e-2, 1e-3, 1e-5}) {
+        SCOPED_TRACE(by);
+        Crossing crossing = expect_complete(ring(1.2, 0.5), flat(0.5 - by), {0, 2}, "a ring through a plane");
+        EXPECT_EQ(std::ranges::count(crossing.kinds, NURBS_BRANCH_CROSSING), std::ssize(crossing.kinds));
+        crossing = expect_complete(ring(1.2, 0.5), flat(0.5 + by), {0, 0}, "a ring below a plane");
+    }
+}
+
+// What touches in regions is left open: where, and nothing else.
 TEST(SurfaceCrossings, WhatTouchesIsLeftOpen) {
     struct Touch {
         SplineData a, b;
@@ -471,8 +526,7 @@ TEST(SurfaceCrossings, WhatTouchesIsLeftOpen) {
     const std::vector<Touch> touches{
         {waves(true), waves(true), "a surface and itself"},
         {tube(1, 3), support::moved(tube(1, 2), {0, 0, 0.5}), "a part of a surface"},
-        {flat(0), support::moved(flat(0), {1, 2, 0}), "planes"},
-        {ring(1.2, 0.5), support::moved(flat(0), {0, 0, 0.5}), "a plane on a ring, along a circle"}};
+        {flat(0), support::moved(flat(0), {1, 2, 0}), "planes"}};
     for (const Touch &touch : touches) {
         SCOPED_TRACE(touch.name);
         const Handle a = create(touch.a), b = create(touch.b);

@@ -3217,6 +3217,15 @@ module nurbs_c
             real(c_double), intent(inout), optional :: deviations(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_branches
+        !> The kinds of the branches of a meet.
+        function nurbs_meet_branch_kinds(meet, cap, kinds, count) bind(c) result(r)
+            import
+            type(c_ptr), value :: meet
+            integer(c_int64_t), value :: cap
+            integer(c_int32_t), intent(inout), optional :: kinds(*)
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_meet_branch_kinds
         !> A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
         function nurbs_meet_branch(meet, index, space, on_surface) bind(c) result(r)
             import

@@ -445,11 +445,17 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_NODE_BORDER = 1  ! the surface ends or jumps there
     ! it closes there on an axis that is not periodic: the branch goes on beyond
     integer(c_int32_t), parameter :: NURBS_NODE_SEAM = 2
-    ! a part near the plane in which branches are not told apart
+    ! a part within the tolerance in which branches are not told apart
     integer(c_int32_t), parameter :: NURBS_NODE_TOUCH = 3
     integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4  ! a part in which it is left open what there is
     ! an edge, a corner or a pole of faces of a model, where another branch goes on
     integer(c_int32_t), parameter :: NURBS_NODE_EDGE = 5
+
+    ! --- Kinds of branches of a nurbs_meet
+    ! a curve in which a plane, a function or a surface cuts a surface
+    integer(c_int32_t), parameter :: NURBS_BRANCH_CROSSING = 1
+    ! a curve along which two surfaces touch: the planes of tangents are one all along
+    integer(c_int32_t), parameter :: NURBS_BRANCH_TOUCH = 2
 
     ! --- Kinds of contours
     ! f = N . d: what is seen as an outline along d

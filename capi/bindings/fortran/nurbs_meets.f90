@@ -8,10 +8,10 @@ module nurbs_meets
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
         nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_meet_counts, nurbs_meet_branches, &
         nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, nurbs_meet_nodes_second, nurbs_meet_ways, &
-        nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, nurbs_surface_sections_with, &
-        nurbs_surface_contours_with, nurbs_surface_reflections_with, nurbs_surface_level_with, &
-        nurbs_surface_level_curves_with, nurbs_surface_intersections_with, nurbs_model_sections_with, &
-        nurbs_meet_trim_with
+        nurbs_meet_branch_kinds, nurbs_meet_faces, nurbs_meet_joints, nurbs_model_sections, nurbs_meet_trim, &
+        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
+        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_surface_intersections_with, &
+        nurbs_model_sections_with, nurbs_meet_trim_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -25,7 +25,7 @@ module nurbs_meets
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
         procedure :: sections, contours, reflections, level, level_curves, surfaces, counts, branches, branch
-        procedure :: branch_second, nodes, nodes_second, ways, faces, joints, model_sections, trimmed
+        procedure :: branch_second, nodes, nodes_second, ways, branch_kinds, faces, joints, model_sections, trimmed
     end type nurbs_meet
 
 contains
@@ -291,6 +291,21 @@ contains
         end if
         call settle(code, status)
     end subroutine ways
+
+    !> What the branches are: one of the NURBS_BRANCH_ constants each.
+    subroutine branch_kinds(this, kinds, status)
+        class(nurbs_meet), intent(in) :: this
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        integer(c_int64_t) :: n
+        n = 0
+        code = nurbs_meet_branch_kinds(this%handle, 0_c_int64_t, count=n)
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (kinds(n))
+        if (code == NURBS_OK) code = nurbs_meet_branch_kinds(this%handle, n, kinds)
+        call settle(code, status)
+    end subroutine branch_kinds
 
     !> The faces of a model on which the branches are.
     subroutine faces(this, own_faces, own_instances, status)

@@ -269,6 +269,18 @@ public:
         ask(count);
         return found;
     }
+    /// What the branches are: one of the branch_ constants each.
+    [[nodiscard]] Returned<std::vector<std::int32_t>> branch_kinds() const {
+        std::vector<std::int32_t> values;
+        std::int64_t count = 0;
+        const auto ask = [&](std::int64_t cap) {
+            detail::call(nurbs_meet_branch_kinds, get(), cap, values.data(), &count);
+        };
+        ask(0);
+        values = detail::room<std::int32_t>(count);
+        ask(count);
+        return values;
+    }
     /// The faces of a model on which the branches are.
     [[nodiscard]] Returned<MeetFaces> faces() const {
         MeetFaces found{};

@@ -1162,6 +1162,11 @@ void data(const Inputs &in) {
         show("deviations", found.deviations);
     }
     {
+        begin("meet_branch_kinds");
+        const auto found = in.meet.branch_kinds();
+        show("kinds", found);
+    }
+    {
         begin("meet_branch");
         const auto found = in.meet.branch(1);
         show("space", found.first);

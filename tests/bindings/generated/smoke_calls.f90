@@ -2208,6 +2208,12 @@ contains
             call show('loops', loops_found)
             call show('deviations', deviations_found)
         end block
+        call begin('meet_branch_kinds')
+        block
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            call meet%branch_kinds(kinds=kinds_found)
+            call show('kinds', kinds_found)
+        end block
         call begin('meet_branch')
         block
             type(nurbs_spline) :: space_found

@@ -1835,6 +1835,11 @@ fn data(given: &Given) -> nurbs::Result<()> {
         show("loops", &found.loops);
         show("deviations", &found.deviations);
     }
+    begin("meet_branch_kinds");
+    {
+        let found = given.meet.branch_kinds()?;
+        show("kinds", &found);
+    }
     begin("meet_branch");
     {
         let found = given.meet.branch(1)?;

@@ -305,6 +305,8 @@ inline constexpr Slot slots[] = {
     {"meet_branches", "deviations", "values", 0, 4},
     {"meet_branches", "count", "spans", 16, 1},
     {"meet_branches levels", "levels", "spans", 0, 4},
+    {"meet_branch_kinds", "kinds", "states", 0, 4},
+    {"meet_branch_kinds", "count", "spans", 0, 1},
     {"meet_branch", "space", "out", 0, 1},
     {"meet_branch", "on_surface", "other", 0, 1},
     {"meet_branch_second", "on_second", "out", 0, 1},

@@ -205,6 +205,13 @@ class Meet:
         return found
 
     @property
+    def branch_kinds(self) -> numpy.ndarray:
+        """What the branches are: one of the NURBS_BRANCH_ constants each."""
+        kinds = numpy.empty(self.counts.branches, numpy.int32)
+        call(lib.nurbs_meet_branch_kinds, self._handle, len(kinds), *addresses(kinds), None)
+        return kinds
+
+    @property
     def faces(self) -> MeetFaces:
         """The faces of a model on which the branches are."""
         n = self.counts.branches

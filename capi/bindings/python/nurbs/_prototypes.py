@@ -281,6 +281,7 @@ PROTOTYPES = {
     "nurbs_meet_destroy": "v p",
     "nurbs_meet_counts": "i pppp",
     "nurbs_meet_branches": "i plppppp",
+    "nurbs_meet_branch_kinds": "i plpp",
     "nurbs_meet_branch": "i plpp",
     "nurbs_meet_branch_second": "i plp",
     "nurbs_meet_nodes": "i plppppp",

@@ -301,9 +301,13 @@ NURBS_RAY_BACK = 0x08  # it comes from behind: from the side to which S_u x S_v 
 # --- Kinds of nodes of a nurbs_meet
 NURBS_NODE_BORDER = 1  # the surface ends or jumps there
 NURBS_NODE_SEAM = 2  # it closes there on an axis that is not periodic: the branch goes on beyond
-NURBS_NODE_TOUCH = 3  # a part near the plane in which branches are not told apart
+NURBS_NODE_TOUCH = 3  # a part within the tolerance in which branches are not told apart
 NURBS_NODE_UNDECIDED = 4  # a part in which it is left open what there is
 NURBS_NODE_EDGE = 5  # an edge, a corner or a pole of faces of a model, where another branch goes on
+
+# --- Kinds of branches of a nurbs_meet
+NURBS_BRANCH_CROSSING = 1  # a curve in which a plane, a function or a surface cuts a surface
+NURBS_BRANCH_TOUCH = 2  # a curve along which two surfaces touch: the planes of tangents are one all along
 
 # --- Kinds of contours
 NURBS_CONTOUR_SILHOUETTE = 1  # f = N . d: what is seen as an outline along d

@@ -415,6 +415,17 @@ impl Meet {
         Ok(MeetWays { levels, firsts, sizes, closed, gaps })
     }
 
+    /// What the branches are: one of the `NURBS_BRANCH_` constants each.
+    pub fn branch_kinds(&self) -> Result<Vec<i32>> {
+        let fill = |cap, kinds, count| unsafe { sys::nurbs_meet_branch_kinds(self.raw(), cap, kinds, count) };
+        let mut count = 0;
+        check(fill(0, null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut kinds = vec![0; n];
+        check(fill(count, kinds.as_mut_ptr(), &mut count))?;
+        Ok(kinds)
+    }
+
     /// The faces of a model on which the branches are.
     pub fn faces(&self) -> Result<MeetFaces> {
         let fill = |cap, faces, instances, count| unsafe {

@@ -921,12 +921,18 @@ pub const NURBS_RAY_BACK: i32 = 0x08;
 pub const NURBS_NODE_BORDER: i32 = 1;
 /// it closes there on an axis that is not periodic: the branch goes on beyond
 pub const NURBS_NODE_SEAM: i32 = 2;
-/// a part near the plane in which branches are not told apart
+/// a part within the tolerance in which branches are not told apart
 pub const NURBS_NODE_TOUCH: i32 = 3;
 /// a part in which it is left open what there is
 pub const NURBS_NODE_UNDECIDED: i32 = 4;
 /// an edge, a corner or a pole of faces of a model, where another branch goes on
 pub const NURBS_NODE_EDGE: i32 = 5;
+
+// --- Kinds of branches of a nurbs_meet
+/// a curve in which a plane, a function or a surface cuts a surface
+pub const NURBS_BRANCH_CROSSING: i32 = 1;
+/// a curve along which two surfaces touch: the planes of tangents are one all along
+pub const NURBS_BRANCH_TOUCH: i32 = 2;
 
 // --- Kinds of contours
 /// f = N . d: what is seen as an outline along d
@@ -4057,6 +4063,15 @@ extern "C" {
         end_nodes: *mut i64,
         loops: *mut i64,
         deviations: *mut f64,
+        count: *mut i64,
+    ) -> nurbs_status;
+    /// The kinds of the branches of a meet.
+    ///
+    /// May be null: `kinds`, `count`.
+    pub fn nurbs_meet_branch_kinds(
+        meet: *const nurbs_meet,
+        cap: i64,
+        kinds: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
     /// A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.

@@ -131,7 +131,8 @@ ContactChart::Verdict ContactChart::look(const CrossCell &a, const CrossCell &b)
     constexpr double flat = 0x1p-6, bent = 0x1p-12; // what bends less is rather one surface
     const bool first = a.size() <= b.size();
     const std::optional<CrossPlace> start = solver_.from_middle(first ? a : b, first ? 0 : 1, first ? b : a);
-    const std::optional<ContactPoint> found = start ? solver_.ridge(*start) : std::nullopt;
+    std::optional<ContactPoint> found = start ? solver_.ridge(*start) : std::nullopt;
+    found = found ? solver_.in_domain(*found) : std::nullopt;
     if (!found || !is_near(a, 0, *found) || !is_near(b, 1, *found)) {
         return Verdict::open;
     }

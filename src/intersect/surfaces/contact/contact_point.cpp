@@ -154,6 +154,26 @@ bool ContactSolver::set(const Jet &a, const Jet &b, ContactPoint &point) noexcep
     return std::isfinite(point.most) && std::isfinite(point.slope);
 }
 
+std::optional<ContactPoint> ContactSolver::in_domain(const ContactPoint &point) const {
+    std::optional<ContactPoint> result = point;
+    for (size_t i = 0; i < 4 && result; ++i) {
+        const CrossGround &ground = *grounds_[i / 2];
+        const int axis = static_cast<int>(i % 2);
+        const double at = result->at[i], first = ground.grid.break_at(axis, 0),
+                     last = ground.grid.break_at(axis, ground.grid.count(axis)),
+                     room = 0x1p-26 * (last - first), off = std::clamp(at, first - room, last + room) - at;
+        if (ground.borders.wraps(i % 2) || off == 0) {
+            continue;
+        }
+        CrossPlace next = result->at;
+        for (size_t c = 0; c < 4; ++c) {
+            next[c] += off / result->along_on[i] * result->along_on[c];
+        }
+        result = ridge(next);
+    }
+    return result;
+}
+
 std::optional<CrossPlace> ContactSolver::from_middle(const CrossCell &part, size_t surface,
                                                      const CrossCell &other) const {
     CrossPlace at{};

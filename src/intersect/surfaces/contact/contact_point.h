@@ -33,6 +33,8 @@ public:
     // The place near one where h is least or largest across, to rounding; none: it is not found.
     [[nodiscard]] std::optional<ContactPoint> ridge(CrossPlace at) const;
 
+    // Along the ridge to where both surfaces are, if it is beyond their ends.
+    [[nodiscard]] std::optional<ContactPoint> in_domain(const ContactPoint &point) const;
     // From the middle of a part to the foot on another one; none: it is not found.
     [[nodiscard]] std::optional<CrossPlace> from_middle(const CrossCell &part, size_t surface,
                                                         const CrossCell &other) const;

@@ -1266,6 +1266,10 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_branches(in.meet, 4, o.spans, nullptr, nullptr, nullptr, nullptr);
      }},
+    {"meet_branch_kinds",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_meet_branch_kinds(in.meet, 4, o.states, o.spans);
+     }},
     {"meet_branch",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_branch(in.meet, 1, &o.out, &o.other);
