@@ -5683,7 +5683,8 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
 /** \name Kinds of branches of a nurbs_meet
  * @{ */
 #define NURBS_BRANCH_CROSSING 1 /**< a curve in which a plane, a function or a surface cuts a surface */
-#define NURBS_BRANCH_TOUCH 2    /**< a curve along which two surfaces touch: the planes of tangents are one all along */
+#define NURBS_BRANCH_TOUCH                                                                                   \
+    2 /**< a curve along which two surfaces touch: the planes of tangents are one all along */
 /** @} */
 
 /** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
