@@ -205,7 +205,7 @@ class Meet:
         return found
 
     @property
-    def branch_kinds(self) -> numpy.ndarray:
+    def branch_kinds(self) -> Int32s:
         """What the branches are: one of the NURBS_BRANCH_ constants each."""
         kinds = numpy.empty(self.counts.branches, numpy.int32)
         call(lib.nurbs_meet_branch_kinds, self._handle, len(kinds), *addresses(kinds), None)
