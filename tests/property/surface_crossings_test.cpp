@@ -133,20 +133,21 @@ TEST(SurfaceCrossings, Deviations) {
     struct Case {
         SplineData a, b;
         double radius, height;
+        bool touch = false;
     };
     std::vector<Case> cases{{ball(2, {0, 0, 0}), tube(1, 3), 1, std::sqrt(3.0)},
                             {ring(2, 0.5), ball(2, {0, 0, 0}), 1.9375, std::sqrt(0.25 - 0.0625 * 0.0625)},
-                            {ball(1, {0, 0, 0}), tube(1, 3), 1, 0},
-                            {ring(1.2, 0.5), flat(0.5), 1.2, 0.5}};
+                            {ball(1, {0, 0, 0}), tube(1, 3), 1, 0, true},
+                            {ring(1.2, 0.5), flat(0.5), 1.2, 0.5, true}};
     for (const double z : {0.0, 1e-12, 4e-12, 1e-9, 0.3, 0.7, 0.99}) {
         cases.push_back({ball(1, {0, 0, 0}), flat(z), std::sqrt(1 - z * z), z});
         cases.push_back({tube(1, 3), flat(z), 1, z});
     }
     for (const Case &test : cases) {
         const Handle a = create(test.a), b = create(test.b);
-        for (const double wanted : {1e-3, 1e-5, 1e-8}) {
+        for (const double wanted : {1e-3, 1e-5, test.touch ? 1e-6 : 1e-8}) {
             const Crossing crossing = crossing_of(a.get(), b.get(), wanted);
-            EXPECT_FALSE(crossing.found.branches.empty() && wanted > 1e-7);
+            EXPECT_FALSE(crossing.found.branches.empty());
             for (size_t i = 0; i < crossing.found.branches.size(); ++i) {
                 const Branch &branch = crossing.found.branches[i];
                 const std::vector<double> t = branch.params(1000);
@@ -520,6 +521,26 @@ TEST(SurfaceCrossings, TouchesInPoints) {
             check_curves(crossing, Ground(a.get(), data_a), Ground(b.get(), data_b));
         }
     }
+}
+
+// Whatever the tolerance, no part is wider than that.
+TEST(SurfaceCrossings, WidthsOfTouches) {
+    const SplineData bowl = quadratic_graph(1, 0.3, 0.8, 0, -1.03, -1.01),
+                     saddle = quadratic_graph(1, 0, -1, 0, -1, -1);
+    int64_t touches = 0;
+    for (const SplineData &shape : {bowl, saddle}) {
+        const Handle a = create(shape), b = create(flat(0));
+        for (const double wanted : {1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13}) {
+            const Crossing crossing = crossing_of(a.get(), b.get(), wanted);
+            for (size_t i = 0; i < crossing.found.nodes.size(); ++i) {
+                if (crossing.found.nodes[i].kind == NURBS_NODE_TOUCH) {
+                    ++touches;
+                    EXPECT_LE(width_of_touch(crossing, i, a.get(), b.get()), 1.0001 * wanted) << wanted;
+                }
+            }
+        }
+    }
+    EXPECT_GE(touches, 8);
 }
 
 // Curves along which surfaces touch, at any place in space, as branches of that kind.

@@ -14,6 +14,8 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int steps_to_a_ridge = 24;
+// What bends less has no ridge: the foot is all that is looked for.
+constexpr double least_bend = 0x1p-14;
 
 // q . form . q, of three values.
 double form_of(const std::array<double, 3> &form, const std::array<double, 2> &p,
@@ -213,7 +215,7 @@ std::optional<ContactPoint> ContactSolver::ridge(CrossPlace at) const {
         }
         const std::array<double, 2> foot = parameters_along(b->first, a->at - b->at);
         const double beside = length(foot[0] * b->first[0] + foot[1] * b->first[1]),
-                     by = point.most == 0 ? infinity : -point.slope / point.most,
+                     by = std::abs(point.most) < least_bend ? 0 : -point.slope / point.most,
                      step = std::abs(by) + beside;
         if (step <= least_step || (step >= last && step <= 0x1p-30)) {
             return point;
