@@ -284,13 +284,18 @@ bool ArcFinder::changes(size_t coordinate) const noexcept {
 ArcFinder::Verdict ArcFinder::look(const CrossBox &box) {
     box_ = &box;
     is_near_ = false;
-    arc_ = {box, {}, false, 0};
+    arc_.ends = {};
+    arc_.along = false;
+    arc_.far = 0;
     for (size_t i = 0; i < 4; ++i) {
         sides_[i] = {box.side(i, 0), box.side(i, 1)};
     }
     Verdict verdict = look_between_sides(1);
     if (verdict == Verdict::open && move_sides()) {
         verdict = look_along_borders();
+    }
+    if (verdict == Verdict::arc) {
+        arc_.box = box;
     }
     for (CrossEnd &end : arc_.ends) {
         if (verdict == Verdict::arc) {

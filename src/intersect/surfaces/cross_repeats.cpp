@@ -23,12 +23,12 @@ public:
         : surfaces_{&a, &b}, found_(found) {}
 
     void run() {
+        if (std::ranges::none_of(found_.arcs, &CrossArc::along)) {
+            return;
+        }
         std::vector<size_t> along;
         for (size_t i = 0; i < found_.arcs.size(); ++i) {
             found_.arcs[i].along ? along.push_back(i) : keep(found_.arcs[i]);
-        }
-        if (along.empty()) {
-            return;
         }
         std::ranges::sort(along, {}, [&](size_t i) { return rank(i); });
         for (const size_t i : along) {

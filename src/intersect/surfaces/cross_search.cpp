@@ -215,7 +215,7 @@ bool CrossSearch::are_along(const Pair &pair) {
 bool CrossSearch::look_for_contact(Pair &pair) {
     constexpr double largest = 0.5;
     if (pair.graph || pair.no_contact || std::min(pair.a->size(), pair.b->size()) > largest ||
-        !are_parallel(*pair.a, *pair.b, 0.9)) {
+        !are_parallel(*pair.a, *pair.b, 0.98)) {
         return false;
     }
     switch (contact_.look(*pair.a, *pair.b)) {
