@@ -5674,7 +5674,7 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
  * @{ */
 #define NURBS_NODE_BORDER 1 /**< the surface ends or jumps there */
 #define NURBS_NODE_SEAM 2   /**< it closes there on an axis that is not periodic: the branch goes on beyond */
-#define NURBS_NODE_TOUCH 3  /**< a part near the plane in which branches are not told apart */
+#define NURBS_NODE_TOUCH 3  /**< a part within the tolerance in which branches are not told apart */
 #define NURBS_NODE_UNDECIDED 4 /**< a part in which it is left open what there is */
 #define NURBS_NODE_EDGE                                                                                      \
     5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
@@ -5863,12 +5863,25 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * domain of a the side of b to which its normals point is on the left. Branches close, or end in nodes
  * - BORDER: one of both surfaces ends or jumps there.
  * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
- * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, along curves or in
- *   regions; a derivative vanishes, as at poles; or the limit of work came first. Parts that hang together are one node.
+ * - TOUCH: all that both have in the ranges of the node lies between two planes no farther apart than the tolerance, or in a
+ *   box no larger, and branches are not told apart in it: surfaces touch in a point, and no branch ends there; branches cross
+ *   in a point in which the planes of tangents are one, and four ends are there; a loop, or a way between branches, that double
+ *   precision does not tell from these; a pole.
+ * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, in regions, or along curves
+ *   across which their distance does not bend all along; a derivative vanishes; or the limit of work came first. Parts that
+ *   hang together are one node.
+ *
+ * Branches of the kind NURBS_BRANCH_TOUCH (nurbs_meet_kinds()) are curves along which surfaces touch: in the parts around,
+ * the second derivative of the height of one over the other across the curve is proven to have one sign, so that in each place
+ * along it this has one least (or largest) value; it is 0 to rounding in as many places as it takes to bound it by the
+ * tolerance between them. What both have in common there is no farther from the curve than sqrt(2 tolerance / that
+ * derivative), and branches that double precision does not tell from it are not told apart. The deviation is that from both
+ * surfaces.
  *
  * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
  *
- * Outside of these the branches are all there is, to within their deviations. Only curves are told: where just
+ * Outside of these the branches are all there is, to within their deviations. Branches along borders of pieces are told once, and
+ * curves of their domains stay in these. Only curves are told: where just
  * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds for each pair
  * of pieces that meet, and for each piece of a curve. Where surfaces are one in a region, it is the number of pairs
  * of parts within the tolerance that ends the search.
@@ -5966,13 +5979,15 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 #define NURBS_BRANCH_CROSSING 1 /**< what surfaces, or a surface and a plane, have in common */
 #define NURBS_BRANCH_EDGE 2     /**< an edge that two faces share */
 #define NURBS_BRANCH_CONTACT                                                                                 \
-    3 /**< one at which both faces have the same tangent planes, somewhere at least */
+    3                        /**< one at which both faces have the same tangent planes, somewhere at least */
+#define NURBS_BRANCH_TOUCH 4 /**< a curve along which surfaces have the same tangent planes: they touch */
 /** @} */
 
 /** \brief What the branches of a meet are.
  * \param[in] meet a meet.
  * \param[in] cap length of the output: 0, or at least the number of branches.
- * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each; others than CROSSING in meets of faces and models only.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each; EDGE and CONTACT in meets of faces and models only, TOUCH of
+ *   two surfaces only.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */

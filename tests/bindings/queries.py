@@ -306,6 +306,9 @@ class Sections(unittest.TestCase):
         near(on_plane(on_plane.domain[0]), (space(space.domain[0])[:, :2] + 1) / 5)
         self.assertEqual(on_plane.knots[0].tolist(), on_ball.knots[0].tolist())
         near(meet.nodes_second.params, meet.nodes_second.ranges[:, :, 0])
+        self.assertEqual(meet.kinds.tolist(), 2 * [nurbs.NURBS_BRANCH_CROSSING])
+        ring = nurbs.torus(2, 0.5).meet(nurbs.plane([8, 0, 0], [0, 8, 0], [-4, -4, 0.5]), 1e-5)
+        self.assertEqual((ring.counts.complete, ring.kinds.tolist()), (True, [nurbs.NURBS_BRANCH_TOUCH]))
 
     def test_of_two_faces(self):
         floor, wall = nurbs.plane([2, 0, 0], [0, 4, 0]), nurbs.plane([0, 4, 0], [0, 0, 2], [1, 0, -1])

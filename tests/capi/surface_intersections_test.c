@@ -46,6 +46,8 @@ static void a_ramp(void) {
     CHECK(branches == 1 && nodes == 2 && complete == 1);
     CHECK_OK(nurbs_meet_branches(meet, most, levels, ends, loops, deviations, &count));
     CHECK(count == 1 && levels[0] == 0 && loops[0] == -1 && deviations[0] > 0 && deviations[0] < 1e-9);
+    CHECK_OK(nurbs_meet_kinds(meet, most, kinds, &count));
+    CHECK(count == 1 && kinds[0] == NURBS_BRANCH_CROSSING);
     CHECK_OK(nurbs_meet_nodes(meet, most, NULL, kinds, params, ranges, NULL));
     CHECK_OK(nurbs_meet_nodes_second(meet, most, second, second_ranges, &count));
     CHECK_INT(count, 2);
@@ -245,6 +247,16 @@ static void refused_by_meets(void) {
         CHECK_FAILS(nurbs_meet_branch_second(meet, index, &on), NURBS_ERROR_INDEX, "index");
         CHECK(on == NULL);
     }
+    int32_t kinds[most];
+    memset(kinds, 0x5a, sizeof kinds);
+    CHECK_FAILS(nurbs_meet_kinds(NULL, most, kinds, &count), NURBS_ERROR_NULL, "meet");
+    CHECK_FAILS(nurbs_meet_kinds(meet, -1, kinds, &count), NURBS_ERROR_COUNT, "cap = -1");
+    CHECK_FAILS(nurbs_meet_kinds(meet, most, kinds, (int64_t *)(void *)kinds), NURBS_ERROR_OVERLAP,
+                "kinds");
+    CHECK_UNTOUCHED(kinds);
+    CHECK_OK(nurbs_meet_kinds(meet, 0, NULL, &count));
+    CHECK_INT(count, 1);
+    CHECK_OK(nurbs_meet_kinds(meet, 0, NULL, NULL));
     CHECK_FAILS(nurbs_meet_nodes_second(NULL, most, params, ranges, &count), NURBS_ERROR_NULL, "meet");
     CHECK_FAILS(nurbs_meet_nodes_second(meet, -1, params, ranges, &count), NURBS_ERROR_COUNT, "cap = -1");
     CHECK_FAILS(nurbs_meet_nodes_second(meet, 1, params, ranges, &count), NURBS_ERROR_SIZE, "cap = 1");

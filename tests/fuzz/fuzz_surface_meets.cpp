@@ -80,6 +80,11 @@ void look_at(const nurbs_meet *found) {
     for (size_t i = 0; i < 2 * n; ++i) {
         FUZZ_REQUIRE(ranges[2 * i] <= params[i] && params[i] <= ranges[2 * i + 1]);
     }
+    std::vector<int32_t> own_kinds(static_cast<size_t>(branches));
+    FUZZ_REQUIRE(nurbs_meet_kinds(found, branches, own_kinds.data(), nullptr) == NURBS_OK);
+    for (const int32_t kind : own_kinds) {
+        FUZZ_REQUIRE(kind == NURBS_BRANCH_CROSSING || kind == NURBS_BRANCH_TOUCH);
+    }
     for (int64_t i = 0; i < std::min<int64_t>(branches, 16); ++i) {
         nurbs *space = nullptr, *on = nullptr, *on_second = nullptr;
         FUZZ_REQUIRE(nurbs_meet_branch(found, i, &space, &on) == NURBS_OK);

@@ -12,6 +12,7 @@ struct Crossing {
     Found found;
     std::vector<Handle> on_second; // of branches
     std::vector<MeetPart> on_b;    // nodes
+    std::vector<int32_t> kinds;    // of branches
     int64_t open_ways = 0, closed_ways = 0;
 };
 
@@ -31,6 +32,8 @@ inline Crossing crossing_in(const nurbs_meet *meet) {
         crossing.on_second.push_back(
             made([&](nurbs **out) { return nurbs_meet_branch_second(meet, static_cast<int64_t>(i), out); }));
     }
+    crossing.kinds.resize(crossing.found.branches.size());
+    require_ok(nurbs_meet_kinds(meet, std::ssize(crossing.kinds), crossing.kinds.data(), nullptr));
     const size_t n = crossing.found.nodes.size();
     std::vector<double> params(2 * n), ranges(4 * n);
     require_ok(nurbs_meet_nodes_second(meet, static_cast<int64_t>(n), params.data(), ranges.data(), nullptr));

@@ -445,7 +445,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_NODE_BORDER = 1  ! the surface ends or jumps there
     ! it closes there on an axis that is not periodic: the branch goes on beyond
     integer(c_int32_t), parameter :: NURBS_NODE_SEAM = 2
-    ! a part near the plane in which branches are not told apart
+    ! a part within the tolerance in which branches are not told apart
     integer(c_int32_t), parameter :: NURBS_NODE_TOUCH = 3
     integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4  ! a part in which it is left open what there is
     ! an edge, a corner or a pole of faces of a model, where another branch goes on
@@ -475,6 +475,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_BRANCH_EDGE = 2  ! an edge that two faces share
     ! one at which both faces have the same tangent planes, somewhere at least
     integer(c_int32_t), parameter :: NURBS_BRANCH_CONTACT = 3
+    ! a curve along which surfaces have the same tangent planes: they touch
+    integer(c_int32_t), parameter :: NURBS_BRANCH_TOUCH = 4
 
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point

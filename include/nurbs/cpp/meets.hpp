@@ -29,6 +29,7 @@ inline constexpr std::int32_t node_edge = NURBS_NODE_EDGE;
 inline constexpr std::int32_t branch_crossing = NURBS_BRANCH_CROSSING;
 inline constexpr std::int32_t branch_edge = NURBS_BRANCH_EDGE;
 inline constexpr std::int32_t branch_contact = NURBS_BRANCH_CONTACT;
+inline constexpr std::int32_t branch_touch = NURBS_BRANCH_TOUCH;
 
 /// Kinds of contours.
 inline constexpr std::int32_t contour_silhouette = NURBS_CONTOUR_SILHOUETTE;

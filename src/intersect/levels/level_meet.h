@@ -37,6 +37,7 @@ enum class BranchKind : int32_t {
     crossing = 1, // what two surfaces, or a surface and a plane, have in common
     edge = 2,     // an edge that two faces have in common
     contact = 3,  // one at which both have the same tangent planes, somewhere at least
+    touch = 4,    // of surfaces that have the same tangent planes all along
 };
 
 // Curves with common knots, in space and in the parameter domain.

@@ -33,15 +33,6 @@ bool is_empty(const Interval &range) noexcept {
 
 } // namespace
 
-bool CrossBox::is_inside(const CrossPlace &z) const noexcept {
-    for (size_t i = 0; i < 4; ++i) {
-        if (!(z[i] >= side(i, 0) && z[i] <= side(i, 1))) {
-            return false;
-        }
-    }
-    return true;
-}
-
 CrossBox::Value CrossBox::at(const CrossPlace &z) const noexcept {
     Value value;
     value.a = a->piece().evaluate(a->in_piece(z.data()));
@@ -94,7 +85,7 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, double near, 
     for (size_t i = 0; i < 4; ++i) {
         if (i != k) {
             fastest = std::max({fastest, std::abs(chart.shift(i).lower), std::abs(chart.shift(i).upper)});
-            farthest = std::max({farthest, box_->side(i, 1) - z0[i], z0[i] - box_->side(i, 0)});
+            farthest = std::max({farthest, sides_[i][1] - z0[i], z0[i] - sides_[i][0]});
         }
     }
     const double far = std::max(std::abs(range.lower - z0[k]), std::abs(range.upper - z0[k]));
@@ -110,8 +101,8 @@ void ArcFinder::clip(const CrossPlace &z0, const CrossPlace &step, double near, 
             const double room = chart.rho(i) * reach + chart.norm(i) * near + 8 * eps;
             const double at = z0[i] - step[i];
             const double low = -chart.shift(i).upper, high = -chart.shift(i).lower;
-            keep_where_positive(at + room - box_->side(i, 0), h == 1 ? high : low, z0[k], halves[h]);
-            keep_where_positive(box_->side(i, 1) - at + room, h == 1 ? -low : -high, z0[k], halves[h]);
+            keep_where_positive(at + room - sides_[i][0], h == 1 ? high : low, z0[k], halves[h]);
+            keep_where_positive(sides_[i][1] - at + room, h == 1 ? -low : -high, z0[k], halves[h]);
         }
     }
     if (is_empty(halves[0]) || is_empty(halves[1])) {
@@ -129,7 +120,7 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
     const CrossChart &chart = box_->chart;
     const size_t k = chart.axis();
     CrossPlace z{0.5, 0.5, 0.5, 0.5};
-    Interval range{box_->side(k, 0), box_->side(k, 1)};
+    Interval range{sides_[k][0], sides_[k][1]};
     CrossPlace step = chart.step(box_->a->centre() - box_->b->centre());
     clip(z, step, chart.near(), range);
     const double little = 4 * shift_of_sides / box_->cell(k).length(k % 2);
@@ -145,7 +136,11 @@ std::optional<ArcFinder::Verdict> ArcFinder::find_inside() {
         z[k] = next;
         const bool found = box_->solve(k, z);
         step = chart.step(box_->at(z).difference);
-        if (found && box_->is_inside(z)) {
+        if (found) {
+            near_ = z;
+            is_near_ = true;
+        }
+        if (found && is_between_sides(z)) {
             inside_ = z;
             return std::nullopt;
         }
@@ -164,7 +159,7 @@ CrossPlace ArcFinder::leave(double way, CrossEnd &end) const {
     for (size_t i = 0; i < 4; ++i) {
         const double speed = unit * along[i];
         const size_t side = speed > 0 ? 1 : 0;
-        const double time = (box_->side(i, side) - inside_[i]) / speed;
+        const double time = (sides_[i][side] - inside_[i]) / speed;
         if (speed != 0 && time < first) {
             first = time;
             end.coordinate = i;
@@ -185,7 +180,7 @@ bool ArcFinder::is_beyond(CrossEnd &end) const {
     bool any = false;
     for (size_t i = 0; i < 4; ++i) {
         for (size_t side = 0; side < 2; ++side) {
-            const double by = (side == 1 ? 1 : -1) * (end.at[i] - box_->side(i, side));
+            const double by = (side == 1 ? 1 : -1) * (end.at[i] - sides_[i][side]);
             if (i != own && by > beyond) {
                 beyond = by;
                 end.coordinate = i;
@@ -203,7 +198,7 @@ bool ArcFinder::find_end(double way, CrossEnd &end) const {
     const size_t k = box_->chart.axis();
     end.at = leave(way, end);
     for (int tries = 0; tries < most_sides; ++tries) {
-        end.at[end.coordinate] = box_->side(end.coordinate, end.side);
+        end.at[end.coordinate] = sides_[end.coordinate][end.side];
         if (!box_->solve(end.coordinate, end.at)) {
             return false;
         }
@@ -214,25 +209,46 @@ bool ArcFinder::find_end(double way, CrossEnd &end) const {
     return false;
 }
 
-// Between three zeros, of which the ends and inside_ are, a coordinate rises as D says.
+// Between zeros a coordinate rises as D says.
 bool ArcFinder::stays(size_t coordinate) const {
     const Interval &rise = box_->chart.rise(coordinate);
     const size_t k = box_->chart.axis();
-    std::array<const CrossPlace *, 3> zeros{&arc_.ends[0].at, &inside_, &arc_.ends[1].at};
-    if ((*zeros[0])[k] > (*zeros[2])[k]) {
-        std::swap(zeros[0], zeros[2]);
-    }
-    for (size_t i = 0; i < 2; ++i) {
-        const double from = (*zeros[i])[coordinate], to = (*zeros[i + 1])[coordinate],
-                     far = (*zeros[i + 1])[k] - (*zeros[i])[k], wide = rise.upper - rise.lower;
+    for (size_t i = 0; i + 1 < zeros_.size(); ++i) {
+        const double from = zeros_[i][coordinate], to = zeros_[i + 1][coordinate],
+                     far = zeros_[i + 1][k] - zeros_[i][k], wide = rise.upper - rise.lower;
         const double up = std::max((to - from - rise.lower * far) / wide, 0.0),
                      down = std::max((rise.upper * far - (to - from)) / wide, 0.0);
-        if (!(from + std::max(rise.upper, 0.0) * up <= box_->side(coordinate, 1)) ||
-            !(from + std::min(rise.lower, 0.0) * down >= box_->side(coordinate, 0))) {
+        if (!(from + std::max(rise.upper, 0.0) * up <= sides_[coordinate][1]) ||
+            !(from + std::min(rise.lower, 0.0) * down >= sides_[coordinate][0])) {
             return false;
         }
     }
     return true;
+}
+
+// Both ends, and inside_ or what divides the way between them.
+void ArcFinder::set_zeros(int parts) {
+    const size_t k = box_->chart.axis();
+    zeros_ = {arc_.ends[0].at, arc_.ends[1].at};
+    if (zeros_[0][k] > zeros_[1][k]) {
+        std::swap(zeros_[0], zeros_[1]);
+    }
+    const CrossPlace first = zeros_[0], last = zeros_[1];
+    zeros_.pop_back();
+    for (int i = 1; i < parts; ++i) {
+        const double share = static_cast<double>(i) / parts;
+        CrossPlace z{};
+        for (size_t c = 0; c < 4; ++c) {
+            z[c] = (1 - share) * first[c] + share * last[c];
+        }
+        if (box_->solve(k, z)) {
+            zeros_.push_back(z);
+        }
+    }
+    if (parts <= 1) {
+        zeros_.push_back(inside_);
+    }
+    zeros_.push_back(last);
 }
 
 // From beside it.
@@ -251,29 +267,132 @@ void ArcFinder::move_to_border(CrossEnd &end) const {
     end.at = at;
 }
 
+bool ArcFinder::is_between_sides(const CrossPlace &z) const noexcept {
+    for (size_t i = 0; i < 4; ++i) {
+        if (!(z[i] >= sides_[i][0] && z[i] <= sides_[i][1])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool ArcFinder::changes(size_t coordinate) const noexcept {
+    const Interval &rise = box_->chart.rise(coordinate);
+    return rise.lower <= 0 && rise.upper >= 0;
+}
+
 ArcFinder::Verdict ArcFinder::look(const CrossBox &box) {
     box_ = &box;
+    is_near_ = false;
+    arc_.ends = {};
+    arc_.along = false;
+    arc_.far = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        sides_[i] = {box.side(i, 0), box.side(i, 1)};
+    }
+    Verdict verdict = look_between_sides(1);
+    if (verdict == Verdict::open && move_sides()) {
+        verdict = look_along_borders();
+    }
+    if (verdict == Verdict::arc) {
+        arc_.box = box;
+    }
+    for (CrossEnd &end : arc_.ends) {
+        if (verdict == Verdict::arc) {
+            end.open = box.cell(end.coordinate).is_open(end.coordinate % 2, end.side);
+            move_to_border(end);
+        }
+    }
+    return verdict;
+}
+
+// parts: of the way between both ends, in as many places of which zeros are found.
+ArcFinder::Verdict ArcFinder::look_between_sides(int parts) {
     if (const std::optional<Verdict> known = find_inside()) {
         return *known;
     }
-    const double forward = box.chart.direction();
+    const double forward = box_->chart.direction();
     if (!find_end(-forward, arc_.ends[0]) || !find_end(forward, arc_.ends[1])) {
         return Verdict::open;
     }
+    set_zeros(parts);
     for (size_t i = 0; i < 4; ++i) {
-        const Interval &rise = box.chart.rise(i);
-        const bool changes = rise.lower <= 0 && rise.upper >= 0;
         const bool ends = arc_.ends[0].coordinate == i || arc_.ends[1].coordinate == i;
-        if (changes && (ends || !stays(i))) {
+        if (changes(i) && (ends || !stays(i))) {
             return Verdict::open;
         }
     }
-    for (CrossEnd &end : arc_.ends) {
-        end.open = box.cell(end.coordinate).is_open(end.coordinate % 2, end.side);
-        move_to_border(end);
-    }
-    arc_.box = box;
     return Verdict::arc;
+}
+
+// Farther out along borders that are near; false: there is none.
+bool ArcFinder::move_sides() {
+    bool any = false;
+    for (size_t i = 0; i < 4 && is_near_; ++i) {
+        if (i == box_->chart.axis() || !changes(i)) {
+            continue;
+        }
+        for (size_t side = 0; side < 2; ++side) {
+            const double room = box_->cell(i).room(i % 2, side);
+            if (std::abs(near_[i] - sides_[i][side]) < room) {
+                sides_[i][side] += side == 1 ? room : -room;
+                any = true;
+            }
+        }
+    }
+    return any;
+}
+
+// Polynomials of a piece are those of the surface as far as borders, so that nothing is said of what is between there and zeros.
+ArcFinder::Verdict ArcFinder::look_along_borders() {
+    constexpr int parts = 8;
+    const Verdict verdict = look_between_sides(parts);
+    if (verdict != Verdict::arc) {
+        return verdict;
+    }
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+            if (sides_[i][side] != box_->side(i, side) && !set_along(i, side)) {
+                return Verdict::open;
+            }
+        }
+    }
+    return goes_on() ? Verdict::arc : Verdict::open;
+}
+
+// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little.
+bool ArcFinder::set_along(size_t coordinate, size_t side) {
+    constexpr double little = 0x1p-26, least = 4 * shift_of_sides;
+    const CrossCell &cell = box_->cell(coordinate);
+    double most = -infinity, fewest = infinity;
+    for (const CrossPlace &z : zeros_) {
+        const double beyond = (side == 1 ? z[coordinate] - 1 : -z[coordinate]) * cell.length(coordinate % 2);
+        most = std::max(most, beyond);
+        fewest = std::min(fewest, beyond);
+    }
+    arc_.along = true;
+    arc_.far = std::max(arc_.far, most);
+    return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest >= -little;
+}
+
+// Whether the chart is one of the surface beyond the borders, too, so that neighbours have the same arc.
+bool ArcFinder::goes_on() const {
+    std::array<std::vector<CrossCell::Beyond>, 2> beyond;
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+            const CrossCell &cell = box_->cell(i);
+            if (sides_[i][side] == box_->side(i, side) || cell.is_open(i % 2, side)) {
+                continue;
+            }
+            std::optional<CrossCell::Beyond> part = cell.beyond(i % 2, side);
+            if (!part || !beyond[i / 2].empty()) {
+                return false;
+            }
+            beyond[i / 2].push_back(std::move(*part));
+        }
+    }
+    return (beyond[0].empty() && beyond[1].empty()) ||
+           box_->chart.goes_on(*box_->a, *box_->b, beyond[0], beyond[1]);
 }
 
 } // namespace nrb::intersect

@@ -5,6 +5,7 @@
 #include "intersect/surfaces/cross_chart.h"
 
 #include <optional>
+#include <vector>
 
 namespace nrb::intersect {
 
@@ -17,8 +18,6 @@ struct CrossBox {
     [[nodiscard]] double side(size_t coordinate, size_t end) const noexcept {
         return cell(coordinate).side(coordinate % 2, end);
     }
-    [[nodiscard]] bool is_inside(const CrossPlace &z) const noexcept;
-
     struct Value {
         Vector3 difference;
         CrossPiece::Point a, b;         // derivatives by places in the parts
@@ -41,6 +40,10 @@ struct CrossEnd {
 struct CrossArc {
     CrossBox box;
     std::array<CrossEnd, 2> ends;
+    // It runs along a border of a piece, on which side of it is left open: the piece beyond may have the same arc, or other
+    // parts of it. far: how far it is beyond at most, as far as zeros are known, in parts of the piece.
+    bool along = false;
+    double far = 0;
 };
 
 // Finds what is in a box. As zeros are a graph whose differences have known signs, one place of the box at a zero, and the
@@ -56,6 +59,16 @@ public:
     [[nodiscard]] const CrossArc &arc() const noexcept { return arc_; }
 
 private:
+    using Sides = std::array<std::array<double, 2>, 4>;
+
+    Verdict look_between_sides(int parts);
+    Verdict look_along_borders();
+    bool move_sides();
+    bool set_along(size_t coordinate, size_t side);
+    [[nodiscard]] bool goes_on() const;
+    void set_zeros(int parts);
+    [[nodiscard]] bool changes(size_t coordinate) const noexcept; // whether it may rise and fall
+    [[nodiscard]] bool is_between_sides(const CrossPlace &z) const noexcept;
     std::optional<Verdict> find_inside();
     // Leaves of a range of coordinate k what zeros of the box may have, where values of F are off by `near`; z0: any place, with the step
     // M F there.
@@ -67,7 +80,11 @@ private:
     [[nodiscard]] bool stays(size_t coordinate) const;
 
     const CrossBox *box_ = nullptr;
+    Sides sides_{};       // of the box, or of what arcs along borders may be in
     CrossPlace inside_{}; // a zero in the box
+    CrossPlace near_{};   // a zero in or beside it
+    bool is_near_ = false;
+    std::vector<CrossPlace> zeros_; // of the arc, by rising k
     CrossArc arc_;
 };
 

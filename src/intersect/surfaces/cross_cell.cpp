@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/surfaces/cross_cell.h"
 
-#include "base/limits.h"
 #include "base/numbers.h"
 #include "base/scratch.h"
 #include "base/watch.h"
@@ -18,6 +17,8 @@ namespace {
 
 constexpr size_t width = 4; // x w, y w, z w, w
 constexpr double least_length = 0x1p-31;
+// Where parts are halved: what is symmetric meets in curves along middles, which would run along sides of boxes.
+constexpr double place_of_halves = 0.5 - 0x1.5p-6;
 // In parts of the length of derivatives: what bends less is halved where it is longer.
 constexpr double little_bend = 0.05;
 
@@ -73,106 +74,79 @@ void apply(const std::vector<double> &matrix, const AxisLayers &layers, const do
 
 } // namespace
 
-CrossGround::CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes)
-    : grid(pieces::piece_grid_of(surface)), borders(ends),
-      shifts(of_axes), widenings{part_matrix(surface.axis(0).degree(), -widening, 1 + widening),
-                                 part_matrix(surface.axis(1).degree(), -widening, 1 + widening)} {}
-
-CrossPiece::CrossPiece(pieces::BezierPiece made, const CrossGround &of)
-    : ground(&of), piece(std::move(made)), degrees{piece.degree(0), piece.degree(1)}, shift(of.shifts) {
-    const pieces::LocalParam first = piece.parameter({0, 0}), last = piece.parameter({1, 1});
-    for (size_t k = 0; k < 2; ++k) {
-        range[k] = {first[k], last[k]};
-    }
-    for (int64_t i = 0; i < piece.coefficients(); ++i) {
-        largest_weight = std::max(largest_weight, piece.weight(i));
-    }
-    // Bernstein functions are off by 3 / 2 eps for each degree, which moves means by as much of how far points are apart; sums
-    // and quotients have one rounding for each term of theirs.
-    const int degrees_of_both = degrees[0] + degrees[1];
-    error = piece.moved() + 1.5 * degrees_of_both * eps * (std::sqrt(3.0) * piece.size()) +
-            (degrees_of_both + 6) * eps * piece.reach();
-    set_sides(of.grid, of.borders);
-}
-
-void CrossPiece::set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &borders) {
-    for (size_t k = 0; k < 2; ++k) {
-        const int axis = static_cast<int>(k);
-        const int64_t i = grid.find(axis, range[k].lower / 2 + range[k].upper / 2), n = grid.count(axis);
-        const auto length = [&](int64_t at) {
-            const int64_t piece_at = (at + n) % n;
-            return grid.break_at(axis, piece_at + 1) - grid.break_at(axis, piece_at);
-        };
-        index[k] = i;
-        const double start = grid.break_at(axis, i), whole = length(i),
-                     part = range[k].upper - range[k].lower;
-        within[k] = {range[k].lower == start ? 0 : (range[k].lower - start) / whole,
-                     range[k].upper == grid.break_at(axis, i + 1) ? 1 : (range[k].upper - start) / whole};
-        const double of_axis = shift[k];
-        shift[k] *= whole / part;
-        for (size_t end = 0; end < 2; ++end) {
-            const bool up = end == 1, is_break = (up ? within[k].upper : within[k].lower) == (up ? 1 : 0);
-            open[k][end] = is_break && !borders.goes_on(k, i, up);
-            poles[k][end] = is_break && borders.is_collapsed(k, i, up);
-            const double next = is_break && !open[k][end] ? length(up ? i + 1 : i - 1) : whole;
-            const double by = of_axis * std::min(next, whole) / part;
-            shifts[k][end] = open[k][end] && !up ? -by : by;
+bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
+    const double room = a.error() + b.error();
+    for (size_t c = 0; c < 3; ++c) {
+        if (a.box()[c].lower - b.box()[c].upper > room || b.box()[c].lower - a.box()[c].upper > room) {
+            return true;
         }
     }
+    return false;
 }
 
-CrossPiece::Point CrossPiece::evaluate(const std::array<double, 2> &place) const noexcept {
-    constexpr size_t stride = max_degree + 1;
-    std::array<std::array<double, 2 * stride>, 2> b;
-    for (size_t k = 0; k < 2; ++k) {
-        bernstein_functions(degrees[k], place[k], 1, stride, b[k].data());
-    }
-    std::array<double, width> value{}, by_u{}, by_v{};
-    const double *record = piece.record(0);
-    for (int i = 0; i <= degrees[0]; ++i) {
-        std::array<double, width> row{}, row_v{};
-        for (int j = 0; j <= degrees[1]; ++j, record += width) {
-            const double f = b[1][static_cast<size_t>(j)], g = b[1][stride + static_cast<size_t>(j)];
-            for (size_t c = 0; c < width; ++c) {
-                row[c] += f * record[c];
-                row_v[c] += g * record[c];
-            }
-        }
-        const double f = b[0][static_cast<size_t>(i)], g = b[0][stride + static_cast<size_t>(i)];
-        for (size_t c = 0; c < width; ++c) {
-            value[c] += f * row[c];
-            by_u[c] += g * row[c];
-            by_v[c] += f * row_v[c];
-        }
-    }
-    const double inverse = 1 / value[3];
-    const Vector3 at{value[0] * inverse, value[1] * inverse, value[2] * inverse};
-    const auto quotient = [&](const std::array<double, width> &by) {
-        return inverse * (Vector3{by[0], by[1], by[2]} - by[3] * at);
-    };
-    return {at, {quotient(by_u), quotient(by_v)}, {by_u[3] * inverse, by_v[3] * inverse}};
-}
-
-CrossCell::CrossCell(const CrossPiece &piece)
-    : piece_(&piece), records_(piece.piece.record(0), piece.piece.record(piece.piece.coefficients())) {
+CrossCell::CrossCell(const CrossPiece &piece, std::pmr::memory_resource *memory)
+    : piece_(&piece), records_(piece.piece.record(0), piece.piece.record(piece.piece.coefficients()), memory),
+      wide_(memory) {
     set_box();
 }
 
-CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records)
-    : piece_(whole.piece_), lower_(whole.lower_), length_(whole.length_), depth_(whole.depth_ + 1),
-      records_(std::move(records)) {
-    length_[axis] /= 2;
-    lower_[axis] += end == 1 ? length_[axis] : 0;
+CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::pmr::vector<double> records)
+    : piece_(whole.piece_), lower_(whole.lower_), upper_(whole.upper_), length_(whole.length_),
+      depth_(whole.depth_ + 1), records_(std::move(records)), wide_(records_.get_allocator()) {
+    const double between = lower_[axis] + place_of_halves * length_[axis];
+    (end == 0 ? upper_ : lower_)[axis] = between;
+    length_[axis] = upper_[axis] - lower_[axis];
+    set_box();
+}
+
+CrossCell::CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places)
+    : piece_(&piece), records_(static_cast<size_t>(piece.piece.coefficients()) * width) {
+    Scratch scratch(records_.size());
+    double *const half = scratch.take(records_.size());
+    for (size_t k = 0; k < 2; ++k) {
+        lower_[k] = places[k].lower;
+        upper_[k] = places[k].upper;
+        length_[k] = upper_[k] - lower_[k];
+        apply(part_matrix(piece.degrees[k], lower_[k], upper_[k]), layers_along(k, piece.degrees),
+              k == 0 ? piece.piece.record(0) : half, k == 0 ? half : records_.data());
+    }
     set_box();
 }
 
 bool CrossCell::is_inside(size_t axis, size_t end) const noexcept {
-    return end == 0 ? lower_[axis] > 0 : lower_[axis] + length_[axis] < 1;
+    return end == 0 ? lower_[axis] > 0 : upper_[axis] < 1;
 }
 
 double CrossCell::side(size_t axis, size_t end) const noexcept {
     const double shift = is_inside(axis, end) ? piece_->shift[axis] : piece_->shifts[axis][end];
     return static_cast<double>(end) + shift / length_[axis];
+}
+
+double CrossCell::room(size_t axis, size_t end) const noexcept {
+    constexpr double most = widening / 2;
+    return is_inside(axis, end) ? 0 : std::min(piece_->rooms[axis][end] / length_[axis], most);
+}
+
+std::optional<CrossCell::Beyond> CrossCell::beyond(size_t axis, size_t end) const {
+    pieces::PieceGrid::Index next = piece_->index;
+    const int k = static_cast<int>(axis);
+    const int64_t n = piece_->ground->grid.count(k);
+    next[axis] = (next[axis] + (end == 1 ? 1 : n - 1)) % n;
+    const CrossPiece *const other = piece_->ground->piece(next);
+    if (other == nullptr) {
+        return std::nullopt;
+    }
+    const auto whole = [&](const CrossPiece &piece) {
+        return piece.range[axis].upper - piece.range[axis].lower;
+    };
+    const double stretch = whole(*piece_) / whole(*other),
+                 wide = 1.01 * room(axis, end) * length_[axis] * stretch;
+    std::array<Interval, 2> places;
+    places[axis] = end == 1 ? Interval{0, wide} : Interval{1 - wide, 1};
+    places[1 - axis] = {lower_[1 - axis], upper_[1 - axis]};
+    std::optional<Beyond> result{Beyond{CrossCell(*other, places), axis, 0}};
+    result->factor = length_[axis] * stretch / result->cell.length(axis);
+    return result->cell.prepare() ? std::move(result) : std::nullopt;
 }
 
 bool CrossCell::is_open(size_t axis, size_t end) const noexcept {
@@ -206,6 +180,12 @@ void CrossCell::set_box() {
     count_work(8 * std::ssize(records_));
 }
 
+void CrossCell::widen(const double *records, double *half, double *wide) const {
+    const auto &widenings = piece_->ground->widenings;
+    apply(widenings[0], layers_along(0, piece_->degrees), records, half);
+    apply(widenings[1], layers_along(1, piece_->degrees), half, wide);
+}
+
 bool CrossCell::prepare() {
     if (state_ != State::unknown) {
         return state_ == State::positive;
@@ -214,9 +194,7 @@ bool CrossCell::prepare() {
     Scratch scratch(records_.size());
     double *const half = scratch.take(records_.size());
     const auto &[p, q] = piece_->degrees;
-    const auto &widenings = piece_->ground->widenings;
-    apply(widenings[0], layers_along(0, piece_->degrees), records_.data(), half);
-    apply(widenings[1], layers_along(1, piece_->degrees), half, wide.data());
+    widen(records_.data(), half, wide.data());
     count_work((p + q + 8) * std::ssize(wide));
     weights_ = {infinity, 0};
     for (size_t i = 3; i < wide.size(); i += width) {
@@ -238,7 +216,7 @@ void CrossCell::set_wide(std::vector<double> &records) {
     centre_ = point.at;
     slope_ = {length_[0] * point.slope[0], length_[1] * point.slope[1]};
     const std::array<double, 2> turns{length_[0] * point.turn[0], length_[1] * point.turn[1]};
-    points_.resize(records.size() / width * 3);
+    wide_.resize(records.size() / width * 9);
     for (size_t i = 0; i < records.size() / width; ++i) {
         double *record = records.data() + width * i;
         const Vector3 a{record[0] - record[3] * centre_.x, record[1] - record[3] * centre_.y,
@@ -247,9 +225,9 @@ void CrossCell::set_wide(std::vector<double> &records) {
         record[1] = a.y;
         record[2] = a.z;
         const Vector3 from = (1 / record[3]) * a;
-        points_[3 * i] = from.x;
-        points_[3 * i + 1] = from.y;
-        points_[3 * i + 2] = from.z;
+        wide_[3 * i] = from.x;
+        wide_[3 * i + 1] = from.y;
+        wide_[3 * i + 2] = from.z;
         reach_ = std::max(reach_, numeric::length(from));
     }
     for (size_t k = 0; k < 2; ++k) {
@@ -295,8 +273,7 @@ void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, doub
     const auto degree = static_cast<size_t>(layers.degree), inner = static_cast<size_t>(layers.inner);
     const std::vector<double> lower = derivatives(records, axis);
     const std::array<double, width> middle{slope_[axis].x, slope_[axis].y, slope_[axis].z, turn};
-    std::vector<double> &off = slopes_[axis];
-    off.reserve(records.size() / width * 3);
+    double *off = wide_.data() + (1 + axis) * (wide_.size() / 3);
     double largest_turn = 0, largest = 0;
     for (size_t at = 0; at < records.size(); at += width) {
         const size_t i = at / inner % (degree + 1), outer = at / inner / (degree + 1);
@@ -307,8 +284,8 @@ void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, doub
             by[c] = (i > 0 ? share * (above - inner)[c] : 0) + (i < degree ? (1 - share) * above[c] : 0);
         }
         for (size_t c = 0; c < 3; ++c) {
-            off.push_back(by[c] - middle[c] * own[3] - turn * own[c]);
-            largest = std::max(largest, std::abs(off.back()));
+            *off = by[c] - middle[c] * own[3] - turn * own[c];
+            largest = std::max(largest, std::abs(*off++));
         }
         largest_turn = std::max(largest_turn, std::abs(by[3] - turn * own[3]));
     }
@@ -321,8 +298,9 @@ void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, doub
 
 Interval CrossCell::points_along(const Vector3 &vector) const noexcept {
     Interval range{infinity, -infinity};
-    for (size_t i = 0; i < points_.size(); i += 3) {
-        const double x = dot3(vector, &points_[i]);
+    const std::span<const double> points = this->points();
+    for (size_t i = 0; i < points.size(); i += 3) {
+        const double x = dot3(vector, &points[i]);
         range = {std::min(range.lower, x), std::max(range.upper, x)};
     }
     return range;
@@ -335,8 +313,9 @@ CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
     const double least = 1 / weights_.upper, most = 1 / weights_.lower;
     for (size_t k = 0; k < 2; ++k) {
         Interval range{infinity, -infinity};
-        for (size_t i = 0; i < slopes_[k].size(); i += 3) {
-            const double x = dot3(vector, &slopes_[k][i]);
+        const std::span<const double> slopes = this->slopes(k);
+        for (size_t i = 0; i < slopes.size(); i += 3) {
+            const double x = dot3(vector, &slopes[i]);
             range = {std::min(range.lower, x), std::max(range.upper, x)};
         }
         range = {range.lower - far * turns_[k], range.upper + far * turns_[k]};
@@ -349,8 +328,9 @@ CrossExtents CrossCell::along(const Vector3 &vector) const noexcept {
 
 double CrossCell::largest_slope(size_t axis) const noexcept {
     double most = 0;
-    for (size_t i = 0; i < slopes_[axis].size(); i += 3) {
-        most = std::max(most, norm(&slopes_[axis][i], 3));
+    const std::span<const double> slopes = this->slopes(axis);
+    for (size_t i = 0; i < slopes.size(); i += 3) {
+        most = std::max(most, norm(&slopes[i], 3));
     }
     return 1.0001 * (numeric::length(slope_[axis]) + (most + reach_ * turns_[axis]) / weights_.lower +
                      slope_errors_[axis]);
@@ -375,8 +355,9 @@ bool CrossCell::split(std::deque<CrossCell> &all) {
         return false;
     }
     const AxisLayers layers = layers_along(axis, piece_->degrees);
-    std::vector<double> upper = records_, lower(upper.size());
-    subdivide(layers, 0.5, upper.data(), lower.data());
+    std::pmr::vector<double> upper(records_, records_.get_allocator()),
+        lower(records_.size(), records_.get_allocator());
+    subdivide(layers, place_of_halves, upper.data(), lower.data());
     halves_[1] = &all.emplace_back(*this, axis, 1, std::move(upper));
     halves_[0] = &all.emplace_back(*this, axis, 0, std::move(lower));
     return true;

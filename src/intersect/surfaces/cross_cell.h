@@ -4,10 +4,15 @@
 
 #include "intersect/levels/fields/surface_borders.h"
 #include "numeric/vector3.h"
-#include "pieces/bezier_piece.h"
+#include "pieces/tree/framed_pieces.h"
 
 #include <array>
 #include <deque>
+#include <map>
+#include <memory>
+#include <memory_resource>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace nrb::intersect {
@@ -21,23 +26,39 @@ using SideShifts = std::array<double, 2>;
 constexpr std::array<SideShifts, 2> side_shifts{
     SideShifts{shift_of_sides, 0x1.1p-1 * shift_of_sides},
     SideShifts{0x1.9p-1 * shift_of_sides, 0x1.5p-2 * shift_of_sides}};
+// How far arcs that run along a border of a piece may be beyond it, in parts of pieces, before it is decided whose they are.
+constexpr double room_along_sides = 0x1p-7;
 // Polynomials go on beyond their pieces. What is proven of a part is proven of this much more of it on all sides, in parts
 // of its length.
 constexpr double widening = 1.0 / 8;
 
+struct CrossPiece;
+
 // What the pieces of a surface have in common.
-struct CrossGround {
-    CrossGround(const Spline &surface, const SurfaceBorders &ends, const SideShifts &of_axes);
+class CrossGround {
+public:
+    CrossGround(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
+                const SideShifts &of_axes);
+    ~CrossGround();
+    CrossGround(const CrossGround &) = delete;
+    CrossGround &operator=(const CrossGround &) = delete;
+
+    // The piece of the surface with an index, made when it is first asked for; null: its weights are not positive.
+    [[nodiscard]] const CrossPiece *piece(const pieces::PieceGrid::Index &index);
 
     const pieces::PieceGrid &grid;
     const SurfaceBorders &borders;
     SideShifts shifts;
     std::array<std::vector<double>, 2> widenings; // of coefficients along an axis, to those of the wide part
+
+private:
+    pieces::FramedPieces pieces_;
+    std::map<int64_t, std::unique_ptr<const CrossPiece>> made_;
 };
 
 // A Bezier piece with positive weights, about the centre of both surfaces.
 struct CrossPiece {
-    CrossPiece(pieces::BezierPiece made, const CrossGround &of);
+    CrossPiece(pieces::BezierPiece made, CrossGround &of);
 
     struct Point {
         Vector3 at;
@@ -47,7 +68,7 @@ struct CrossPiece {
     // At a place in [0, 1]^2, or not far outside.
     [[nodiscard]] Point evaluate(const std::array<double, 2> &place) const noexcept;
 
-    const CrossGround *ground;
+    CrossGround *ground;
     pieces::BezierPiece piece;
     std::array<int, 2> degrees{};
     pieces::PieceGrid::Index index{}; // of the piece of the surface that it is a part of
@@ -58,6 +79,7 @@ struct CrossPiece {
     std::array<std::array<bool, 2>, 2> poles{};    // [axis][end]: the side is one point
     std::array<std::array<double, 2>, 2> shifts{}; // [axis][end], of the sides of its box, by places
     SideShifts shift{};                            // the same of sides inside of the piece
+    std::array<std::array<double, 2>, 2> rooms{};  // [axis][end], for arcs along them, by places
     double largest_weight = 0;
     double error = 0; // of points that are evaluated
 
@@ -72,13 +94,22 @@ struct CrossExtents {
     std::array<Interval, 2> slopes;
 };
 
+// The same with all second derivatives: by both, 00, 01 and 11.
+struct CrossBends {
+    CrossExtents extents;
+    std::array<Interval, 3> bends;
+};
+
 // A part of a piece, of half its length along an axis again and again. What is known of the wide part is made when it is
 // asked for.
 class CrossCell {
 public:
-    explicit CrossCell(const CrossPiece &piece);
+    // memory: of the part and its halves, which lasts as long as they do.
+    CrossCell(const CrossPiece &piece, std::pmr::memory_resource *memory);
     // A half, with its records.
-    CrossCell(const CrossCell &whole, size_t axis, size_t end, std::vector<double> records);
+    CrossCell(const CrossCell &whole, size_t axis, size_t end, std::pmr::vector<double> records);
+    // Any part, which is not halved.
+    CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places);
 
     [[nodiscard]] const CrossPiece &piece() const noexcept { return *piece_; }
     [[nodiscard]] double lower(size_t axis) const noexcept { return lower_[axis]; } // in [0, 1]
@@ -93,6 +124,14 @@ public:
     // Where its box ends, as places in the part.
     [[nodiscard]] double side(size_t axis, size_t end) const noexcept;
     [[nodiscard]] bool is_open(size_t axis, size_t end) const noexcept;
+    // How far beyond its box arcs along a side may be, as places in the part; 0 for sides inside of the piece.
+    [[nodiscard]] double room(size_t axis, size_t end) const noexcept;
+    // Whether a side is one of the piece.
+    [[nodiscard]] bool is_border(size_t axis, size_t end) const noexcept { return !is_inside(axis, end); }
+    // What is beyond such a side, as wide as the room, along this part: with the factor that makes derivatives along
+    // the axis those by places in this part. None: the surface ends there, or has no derivatives.
+    struct Beyond;
+    [[nodiscard]] std::optional<Beyond> beyond(size_t axis, size_t end) const;
     // Whether a side of it is one point, in which a derivative vanishes.
     [[nodiscard]] bool has_pole() const noexcept;
 
@@ -108,6 +147,7 @@ public:
     [[nodiscard]] const Vector3 &slope(size_t axis) const noexcept { return slope_[axis]; }
     [[nodiscard]] CrossExtents along(const Vector3 &vector) const noexcept;
     [[nodiscard]] Interval points_along(const Vector3 &vector) const noexcept;
+    [[nodiscard]] CrossBends bends_along(const Vector3 &vector) const;
     // Of derivatives by places in the part.
     [[nodiscard]] double largest_slope(size_t axis) const noexcept;
     [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
@@ -118,30 +158,45 @@ public:
     [[nodiscard]] CrossCell *half(size_t end) const noexcept { return halves_[end]; }
 
 private:
+    [[nodiscard]] std::span<const double> points() const noexcept { return {wide_.data(), wide_.size() / 3}; }
+    [[nodiscard]] std::span<const double> slopes(size_t axis) const noexcept {
+        return {wide_.data() + (1 + axis) * (wide_.size() / 3), wide_.size() / 3};
+    }
     [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side, of the piece
     void set_box();
+    // Records of the wide part; half: room for as many.
+    void widen(const double *records, double *half, double *wide) const;
     void set_wide(std::vector<double> &records);
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
     void set_slopes(const std::vector<double> &records, size_t axis, double turn);
     [[nodiscard]] size_t axis_of_halves() const noexcept;
 
     const CrossPiece *piece_;
-    std::array<double, 2> lower_{0, 0}, length_{1, 1};
+    std::array<double, 2> lower_{0, 0}, upper_{1, 1}, length_{1, 1};
     int depth_ = 0;
-    std::vector<double> records_; // [degree + 1][degree + 1][4]
+    std::pmr::vector<double> records_; // [degree + 1][degree + 1][4]
     std::array<Interval, 3> box_{};
     double size_ = 0;
 
     enum class State { unknown, positive, other } state_ = State::unknown;
-    std::vector<double> points_;                // from the centre
-    std::array<std::vector<double>, 2> slopes_; // of set_slopes()
-    std::array<double, 2> turns_{}, bends_{};   // of weights; how much derivatives change
+    // Of the wide part: points from the centre, and of both axes those of set_slopes(); in one piece, as cells are many.
+    std::pmr::vector<double> wide_;
+    std::array<double, 2> turns_{}, bends_{}; // of weights; how much derivatives change
     Interval weights_{1, 1};
     double error_ = 0, reach_ = 0;
     std::array<double, 2> slope_errors_{};
     Vector3 centre_;
     std::array<Vector3, 2> slope_;
     std::array<CrossCell *, 2> halves_{};
+};
+
+// Whether their boxes are.
+bool are_apart(const CrossCell &a, const CrossCell &b) noexcept;
+
+struct CrossCell::Beyond {
+    CrossCell cell;
+    size_t axis;
+    double factor;
 };
 
 } // namespace nrb::intersect

@@ -3,12 +3,12 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/levels/trace/cluster_groups.h"
+#include "intersect/surfaces/cross_clusters.h"
 #include "intersect/surfaces/cross_spot.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -22,9 +22,11 @@ constexpr size_t unmatched = static_cast<size_t>(-1);
 
 class CrossJoining {
 public:
-    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossParts &found)
-        : surfaces_{&a, &b}, distances_(a, b), found_(found), next_(found.arcs.size(), unmatched),
-          last_(found.arcs.size(), unmatched), taken_(found.arcs.size(), false) {}
+    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+                 const CrossParts &found)
+        : surfaces_{&a, &b}, distances_(a, b), touch_(touch), found_(found),
+          next_(found.arcs.size(), unmatched), last_(found.arcs.size(), unmatched),
+          taken_(found.arcs.size(), false) {}
 
     CrossChains run() {
         set_spots();
@@ -41,6 +43,7 @@ public:
     }
 
 private:
+    using Begin = std::pair<double, size_t>; // a place, and the arc
     struct Match {
         double apart;
         size_t from, to;
@@ -94,17 +97,11 @@ private:
     }
     // Pairs of an end and a beginning, the nearest ones first.
     void match(double wide) {
-        std::vector<std::pair<double, size_t>> begins;
-        for (size_t arc = 0; arc < next_.size(); ++arc) {
-            if (!taken_[arc] && last_[arc] == unmatched && !found_.arcs[arc].ends[0].open) {
-                begins.emplace_back(key(spots_[0][arc]), arc);
-            }
-        }
-        std::ranges::sort(begins);
+        set_begins();
         std::vector<Match> matches;
         for (size_t arc = 0; arc < next_.size(); ++arc) {
             if (!taken_[arc] && next_[arc] == unmatched && !found_.arcs[arc].ends[1].open) {
-                add_matches(arc, wide, begins, matches);
+                add_matches(arc, wide, matches);
             }
         }
         std::ranges::sort(matches, {}, [](const Match &m) { return std::tuple(m.apart, m.from, m.to); });
@@ -115,77 +112,49 @@ private:
             }
         }
     }
-    // Along the first axis.
-    [[nodiscard]] double key(const CrossSpot &spot) const noexcept {
-        const double at = static_cast<double>(spot.index[0]) + spot.place[0],
-                     n = static_cast<double>(count(0));
-        return wraps(0) && at >= n - one_place ? at - n : at;
+    void set_begins() {
+        for (size_t i = 0; i < 4; ++i) {
+            begins_[i].clear();
+            for (size_t arc = 0; arc < next_.size(); ++arc) {
+                if (!taken_[arc] && last_[arc] == unmatched && !found_.arcs[arc].ends[0].open) {
+                    begins_[i].emplace_back(key(spots_[0][arc], i), arc);
+                }
+            }
+            std::ranges::sort(begins_[i]);
+        }
     }
-    void add_matches(size_t arc, double wide, const std::vector<std::pair<double, size_t>> &begins,
-                     std::vector<Match> &matches) const {
-        const double at = key(spots_[1][arc]), window = 64 * (one_place + spots_[1][arc].noise[0]);
-        auto begin = std::ranges::lower_bound(begins, std::pair(at - window, size_t{0}));
-        for (; begin != begins.end() && begin->first <= at + window; ++begin) {
+    // Along an axis.
+    [[nodiscard]] double key(const CrossSpot &spot, size_t i) const noexcept {
+        const double at = static_cast<double>(spot.index[i]) + spot.place[i],
+                     n = static_cast<double>(count(i));
+        return wraps(i) && at >= n - one_place ? at - n : at;
+    }
+    // Of the beginnings near it along the axis along which these are fewest: many may be on one side of pieces.
+    void add_matches(size_t arc, double wide, std::vector<Match> &matches) const {
+        const CrossSpot &end = spots_[1][arc];
+        std::span<const Begin> near;
+        for (size_t i = 0; i < 4; ++i) {
+            const double at = key(end, i), window = 64 * (one_place + end.noise[i]);
+            const auto first = std::ranges::lower_bound(begins_[i], Begin(at - window, 0)),
+                       last = std::ranges::lower_bound(begins_[i], Begin(at + window, unmatched));
+            const std::span<const Begin> own(first, last);
+            near = i == 0 || own.size() < near.size() ? own : near;
+        }
+        count_work(100);
+        for (const auto &[at, begin] : near) {
             count_work(40);
-            const CrossSpot &end = spots_[1][arc], &start = spots_[0][begin->second];
-            const double far = distances_.apart(end, start, one_place);
-            if (far <= wide && !(begin->second == arc && is_short(arc))) {
-                matches.push_back({far, arc, begin->second});
+            const double far = distances_.apart(end, spots_[0][begin], one_place);
+            if (far <= wide && !(begin == arc && is_short(arc))) {
+                matches.push_back({far, arc, begin});
             }
         }
     }
 
-    // Those that touch on the first surface are one node, with those that are no farther from it than it is large.
     void add_clusters() {
-        std::vector<ParameterRanges> ranges;
-        for (const CrossCluster &cluster : found_.clusters) {
-            ranges.push_back({cluster.ranges[0], cluster.ranges[1]});
+        groups_ = cross_groups(*surfaces_[0], *surfaces_[1], touch_, found_.clusters);
+        for (const CrossGroup &group : groups_) {
+            add_node(group.touch ? NodeKind::touch : NodeKind::undecided, group.ranges);
         }
-        for (const std::vector<size_t> &group :
-             touching_groups(ranges, surfaces_[0]->grid, surfaces_[0]->borders)) {
-            std::array<Interval, 4> all = found_.clusters[group.front()].ranges;
-            for (const size_t member : group) {
-                enclose(found_.clusters[member].ranges, all);
-            }
-            groups_.push_back(all);
-        }
-        std::ranges::sort(groups_, std::ranges::greater(), size_of);
-        absorb();
-        for (const std::array<Interval, 4> &group : groups_) {
-            add_node(NodeKind::undecided, group);
-        }
-    }
-    static double size_of(const std::array<Interval, 4> &ranges) noexcept {
-        return std::max(ranges[0].upper - ranges[0].lower, ranges[1].upper - ranges[1].lower);
-    }
-    static void enclose(const std::array<Interval, 4> &own, std::array<Interval, 4> &all) noexcept {
-        for (size_t i = 0; i < 4; ++i) {
-            all[i] = {std::min(all[i].lower, own[i].lower), std::max(all[i].upper, own[i].upper)};
-        }
-    }
-    // Larger ones come first.
-    void absorb() {
-        constexpr size_t most = 256; // of what is looked at in all pairs
-        for (size_t i = 0; i < std::min(groups_.size(), most); ++i) {
-            for (size_t j = i + 1; j < std::min(groups_.size(), most); ++j) {
-                count_work(20);
-                if (are_near(groups_[i], groups_[j])) {
-                    enclose(groups_[j], groups_[i]);
-                    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(j));
-                    j = i;
-                }
-            }
-        }
-    }
-    static bool are_near(const std::array<Interval, 4> &large,
-                         const std::array<Interval, 4> &small) noexcept {
-        for (size_t i = 0; i < 4; ++i) {
-            const double room = 2 * (large[i].upper - large[i].lower);
-            if (!(small[i].lower <= large[i].upper + room && small[i].upper >= large[i].lower - room)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     int64_t add_node(NodeKind kind, const std::array<Interval, 4> &ranges) {
@@ -210,6 +179,18 @@ private:
         return add_node(kind, ranges);
     }
 
+    // Whether a spot is where a surface ends or jumps, to rounding: the end of an arc on another side may be there, too.
+    [[nodiscard]] bool is_at_border(const CrossSpot &spot) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = one_place + spot.noise[i], at = spot.place[i];
+            const SurfaceBorders &borders = surfaces_[i / 2]->borders;
+            if ((at <= room && !borders.goes_on(i % 2, spot.index[i], false)) ||
+                (at >= 1 - room && !borders.goes_on(i % 2, spot.index[i], true))) {
+                return true;
+            }
+        }
+        return false;
+    }
     // Where a way begins or ends.
     int64_t node_at(size_t arc, size_t end) {
         const CrossSpot &spot = spots_[end][arc];
@@ -217,11 +198,12 @@ private:
             return add_node(NodeKind::border, spot);
         }
         for (size_t group = 0; group < groups_.size(); ++group) {
-            if (is_in(spot, groups_[group])) {
+            count_work(4);
+            if (is_in(spot, groups_[group].ranges)) {
                 return static_cast<int64_t>(group);
             }
         }
-        return add_node(NodeKind::undecided, spot);
+        return add_node(is_at_border(spot) ? NodeKind::border : NodeKind::undecided, spot);
     }
     // With what sides are shifted by, and what seams move. Around parts in which arcs are not told apart there are some in which
     // rounding hides them.
@@ -269,6 +251,9 @@ private:
             return;
         }
         const bool cut = closed && is_seam(arcs.back(), arcs.front());
+        if (!closed && is_in_group(arcs)) {
+            return;
+        }
         const size_t begun = result_.chains.size();
         const int64_t loop = closed ? loops_++ : -1;
         CrossChain chain;
@@ -283,6 +268,19 @@ private:
         if (cut) {
             go_on(result_.chains.back().nodes[1], result_.chains[begun].nodes[0]);
         }
+    }
+    // Whether all of a chain is in a part where branches are not told apart, or is but little of what is left open.
+    [[nodiscard]] bool is_in_group(const std::vector<size_t> &arcs) const noexcept {
+        constexpr double little = 0x1p-8; // of pieces
+        double length = 0;
+        for (const size_t arc : arcs) {
+            length += length_of(spots_[0][arc], spots_[1][arc]);
+        }
+        return std::ranges::any_of(groups_, [&](const CrossGroup &group) {
+            return (group.touch || length <= little) && std::ranges::all_of(arcs, [&](size_t arc) {
+                       return is_in(spots_[0][arc], group.ranges) && is_in(spots_[1][arc], group.ranges);
+                   });
+        });
     }
     // Parts of one way follow each other.
     void add_part(CrossChain chain, int64_t loop, size_t begun) {
@@ -305,20 +303,23 @@ private:
 
     std::array<const CrossSurface *, 2> surfaces_;
     CrossDistances distances_;
+    const CrossTouch &touch_;
     const CrossParts &found_;
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
+    std::array<std::vector<Begin>, 4> begins_;    // of what may go on, along each axis
     std::vector<size_t> next_, last_;             // arcs
     std::vector<bool> taken_;
-    std::vector<double> lengths_;                 // of arcs
-    std::vector<std::array<Interval, 4>> groups_; // of clusters: the first nodes
+    std::vector<double> lengths_;    // of arcs
+    std::vector<CrossGroup> groups_; // of clusters: the first nodes
     int64_t loops_ = 0;
     CrossChains result_;
 };
 
 } // namespace
 
-CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossParts &found) {
-    return CrossJoining(a, b, found).run();
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+                         const CrossParts &found) {
+    return CrossJoining(a, b, touch, found).run();
 }
 
 } // namespace nrb::intersect

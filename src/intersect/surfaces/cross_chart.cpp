@@ -141,6 +141,44 @@ void CrossChart::set_rises() noexcept {
     }
 }
 
+// What the columns of one surface add to rho_i.
+double CrossChart::off(size_t i, size_t surface, const CrossCell &cell,
+                       const std::array<double, 2> &factors) const noexcept {
+    const CrossExtents extents = cell.along(rows_[i]);
+    double sum = 0;
+    for (size_t k = 0; k < 2; ++k) {
+        const size_t column = 2 * surface + k;
+        const double sign = surface == 0 ? factors[k] : -factors[k], wanted = column == i ? 1 : 0;
+        if (column != axis_) {
+            sum += std::max(std::abs(sign * extents.slopes[k].lower - wanted),
+                            std::abs(sign * extents.slopes[k].upper - wanted));
+        }
+    }
+    return 1.0001 * sum + 16 * eps;
+}
+
+bool CrossChart::goes_on(const CrossCell &a, const CrossCell &b, std::span<const CrossCell::Beyond> beyond_a,
+                         std::span<const CrossCell::Beyond> beyond_b) const noexcept {
+    constexpr double most = 0.9;
+    for (const size_t i : others_of(axis_)) {
+        const auto largest = [&](size_t surface, const CrossCell &own,
+                                 std::span<const CrossCell::Beyond> beyond) {
+            double result = off(i, surface, own, {1, 1});
+            for (const CrossCell::Beyond &part : beyond) {
+                std::array<double, 2> factors{1, 1};
+                factors[part.axis] = part.factor;
+                result = std::max(result, off(i, surface, part.cell, factors));
+            }
+            return result;
+        };
+        count_work(800);
+        if (!(largest(0, a, beyond_a) + largest(1, b, beyond_b) <= most)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 CrossPlace CrossChart::step(const Vector3 &difference) const noexcept {
     CrossPlace result{};
     for (size_t i = 0; i < 4; ++i) {

@@ -5,6 +5,8 @@
 #include "intersect/contraction.h"
 #include "intersect/surfaces/cross_cell.h"
 
+#include <span>
+
 namespace nrb::intersect {
 
 // Places in a pair of parts: u, v of the first one, s, t of the second one.
@@ -38,6 +40,10 @@ public:
     [[nodiscard]] const Interval &rise(size_t i) const noexcept { return rises_[i]; }   // D; 1 for k
     // M F; 0 for k.
     [[nodiscard]] CrossPlace step(const Vector3 &difference) const noexcept;
+    // Whether rho < 1 on what is beyond sides of both parts, too.
+    [[nodiscard]] bool goes_on(const CrossCell &a, const CrossCell &b,
+                               std::span<const CrossCell::Beyond> beyond_a,
+                               std::span<const CrossCell::Beyond> beyond_b) const noexcept;
     // Whether M exists.
     [[nodiscard]] bool has_rows() const noexcept { return has_rows_; }
     // If so: whether the first part bends more than the second one.
@@ -51,6 +57,8 @@ private:
     bool set_rows(const CrossCell &a, const CrossCell &b);
     bool set_row(size_t i, const CrossCell &a, const CrossCell &b);
     void set_rises() noexcept;
+    [[nodiscard]] double off(size_t i, size_t surface, const CrossCell &cell,
+                             const std::array<double, 2> &factors) const noexcept;
 
     size_t axis_ = 0;
     std::array<Vector3, 4> rows_{};

@@ -123,6 +123,11 @@ private:
 
 } // namespace
 
+CrossCurve cross_curve(const pieces::Frame &frame, const CrossSurface &a, const CrossSurface &b,
+                       std::vector<CrossSegment> segments, bool closed) {
+    return CrossCurveMaker(frame, a, b, std::move(segments), closed).run();
+}
+
 CrossCurve cross_curve(CrossFitter &fitter, const pieces::Frame &frame, const CrossSurface &a,
                        const CrossSurface &b, const CrossParts &found, const CrossChain &chain) {
     std::vector<CrossSegment> segments;

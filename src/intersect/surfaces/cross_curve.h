@@ -15,6 +15,8 @@ struct CrossCurve {
     double deviation; // of all, in space
 };
 
+CrossCurve cross_curve(const pieces::Frame &frame, const CrossSurface &a, const CrossSurface &b,
+                       std::vector<CrossSegment> segments, bool closed);
 CrossCurve cross_curve(CrossFitter &fitter, const pieces::Frame &frame, const CrossSurface &a,
                        const CrossSurface &b, const CrossParts &found, const CrossChain &chain);
 

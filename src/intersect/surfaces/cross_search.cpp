@@ -20,16 +20,6 @@ constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
 constexpr double thick = 32;
 
-bool are_apart(const CrossCell &a, const CrossCell &b) noexcept {
-    const double room = a.error() + b.error();
-    for (size_t c = 0; c < 3; ++c) {
-        if (a.box()[c].lower - b.box()[c].upper > room || b.box()[c].lower - a.box()[c].upper > room) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // How far the middle of a part is from another one, near its foot there; infinite if that is not in the wide part.
 double distance_of_middle(const CrossCell &from, const CrossCell &to) noexcept {
     constexpr int most_steps = 4;
@@ -67,12 +57,12 @@ bool is_positive(const closest::PairCell &cell) noexcept {
 
 CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
                         const SideShifts &shifts_of_axes)
-    : ground(surface, ends, shifts_of_axes), cells(surface, frame) {}
+    : ground(surface, frame, ends, shifts_of_axes), cells(surface, frame) {}
 
 CrossCell &CrossSearch::Side::root(PairCell &cell) {
     if (cell.mark == 0) {
         pieces.emplace_back(*cell.piece, ground);
-        roots.push_back(&parts.emplace_back(pieces.back()));
+        roots.push_back(&parts.emplace_back(pieces.back(), &memory));
         cell.mark = roots.size();
         count_work(work_of_a_kept_part);
     }
@@ -82,7 +72,7 @@ CrossCell &CrossSearch::Side::root(PairCell &cell) {
 CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                          const SurfaceBorders &borders_b)
     : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a, side_shifts[0]),
-      b_(b, frame_, borders_b, side_shifts[1]) {}
+      b_(b, frame_, borders_b, side_shifts[1]), solver_(a_.ground, b_.ground), contact_(solver_) {}
 
 CrossParts CrossSearch::run(double tolerance) {
     tolerance_ = frame_.scaled(tolerance);
@@ -175,7 +165,7 @@ void CrossSearch::look(const Pair &pair) {
             count_work(work_of_a_kept_part);
             found_.arcs.push_back(finder_.arc());
         } else if (verdict == ArcFinder::Verdict::open) {
-            halve({pair.a, pair.b, true}, box_.chart.first_bends_more());
+            halve({pair.a, pair.b, true, pair.no_contact}, box_.chart.first_bends_more());
         }
         return;
     }
@@ -222,9 +212,29 @@ bool CrossSearch::are_along(const Pair &pair) {
     return alike;
 }
 
-void CrossSearch::look_at_flat(const Pair &pair) {
+bool CrossSearch::look_for_contact(Pair &pair) {
+    constexpr double largest = 0.5;
+    if (pair.graph || pair.no_contact || std::min(pair.a->size(), pair.b->size()) > largest ||
+        !are_parallel(*pair.a, *pair.b, 0.98)) {
+        return false;
+    }
+    switch (contact_.look(*pair.a, *pair.b)) {
+    case ContactChart::Verdict::contact:
+        count_work(work_of_a_kept_part);
+        found_.contacts.push_back({ranges_of({pair.a, pair.b, {}}), contact_.place(), contact_.change()});
+        return true;
+    case ContactChart::Verdict::apart:
+        pair.no_contact = true;
+        return false;
+    case ContactChart::Verdict::open:
+        return false;
+    }
+    return false;
+}
+
+void CrossSearch::look_at_flat(Pair pair) {
     const double thickness = this->thickness(pair), error = pair.a->piece().error + pair.b->piece().error;
-    if (thickness < 0) {
+    if (thickness < 0 || look_for_contact(pair)) {
         return;
     }
     const bool first =
@@ -248,7 +258,8 @@ void CrossSearch::halve(const Pair &pair, bool first) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
         if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
             for (size_t end = 0; end < 2; ++end) {
-                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph});
+                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph,
+                                 pair.no_contact});
             }
             return;
         }
@@ -271,6 +282,13 @@ void set_ranges(const CrossCell &cell, Interval *ranges) noexcept {
 }
 
 } // namespace
+
+std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept {
+    std::array<Interval, 4> ranges;
+    set_ranges(*box.a, ranges.data());
+    set_ranges(*box.b, ranges.data() + 2);
+    return ranges;
+}
 
 void CrossSearch::add(const Pair &pair, bool near) {
     count_work(work_of_a_kept_part);

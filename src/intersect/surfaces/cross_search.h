@@ -3,6 +3,7 @@
 #pragma once
 
 #include "closest/pair/pair_cells.h"
+#include "intersect/surfaces/contact/contact_chart.h"
 #include "intersect/surfaces/cross_arc.h"
 
 #include <deque>
@@ -16,10 +17,21 @@ struct CrossCluster {
     bool near = false;              // they are within the tolerance of each other all over, and of one plane
 };
 
+// A pair of parts with a ContactChart.
+struct CrossContact {
+    std::array<Interval, 4> ranges;
+    ContactPoint place;
+    double change; // ContactChart::change()
+};
+
 struct CrossParts {
     std::vector<CrossArc> arcs;
+    std::vector<CrossContact> contacts;
     std::vector<CrossCluster> clusters;
 };
+
+// Parameters of both parts.
+std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept;
 
 // Pairs of pieces whose boxes have common points, then pairs of their parts, all of one size before smaller ones: a pair is
 // excluded, has a chart in which its arc is found, or one of both is halved. What is left where planes of tangents are all
@@ -34,6 +46,8 @@ public:
     CrossParts run(double tolerance);
 
     [[nodiscard]] const pieces::Frame &frame() const noexcept { return frame_; }
+    [[nodiscard]] const ContactSolver &solver() const noexcept { return solver_; }
+    [[nodiscard]] CrossGround &ground(size_t surface) noexcept { return (surface == 0 ? a_ : b_).ground; }
 
 private:
     using PairCell = closest::PairCell;
@@ -45,14 +59,17 @@ private:
         CrossGround ground;
         closest::PairCells cells;
         std::deque<CrossPiece> pieces;
+        std::pmr::monotonic_buffer_resource memory; // of the parts, which are many: it is given back at once
         std::deque<CrossCell> parts;
         std::vector<CrossCell *> roots; // by marks of cells
     };
     // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
     // both sides of it go on in each other, or end.
+    // no_contact: of a pair that does not touch where it is nearest.
     struct Pair {
         CrossCell *a, *b;
         bool graph = false;
+        bool no_contact = false;
     };
 
     void find_pieces();
@@ -60,7 +77,8 @@ private:
     void divide(PairCell &a, PairCell &b);
     void look(const Pair &pair);
     void halve(const Pair &pair, bool first);
-    void look_at_flat(const Pair &pair);
+    void look_at_flat(Pair pair);
+    bool look_for_contact(Pair &pair);
     bool are_along(const Pair &pair);
     void settle_crowds();
     void add(const Pair &pair, bool near);
@@ -79,6 +97,8 @@ private:
     std::vector<FlatPair> flat_;
     size_t alike_ = 0; // pairs of this size of which one lies on the other
     bool crowded_ = false;
+    ContactSolver solver_;
+    ContactChart contact_;
     ArcFinder finder_;
     CrossBox box_{};
     CrossParts found_;

@@ -26,12 +26,21 @@ int degree_of_differences(const std::array<int, 2> &a, const std::array<int, 2> 
 
 } // namespace
 
+CubicSamples CrossFitter::samples_for(const std::array<int, 2> &degrees_a,
+                                      const std::array<int, 2> &degrees_b) {
+    return CubicSamples(2 * degree_of_differences(degrees_a, degrees_b));
+}
+
+std::vector<double> CrossFitter::sampling_for(const std::array<int, 2> &degrees_a,
+                                              const std::array<int, 2> &degrees_b) {
+    const int most = std::max({degrees_a[0], degrees_a[1], degrees_b[0], degrees_b[1]});
+    return std::vector<double>(16 * (static_cast<size_t>(most) + 1));
+}
+
 CrossFitter::CrossFitter(const std::array<int, 2> &degrees_a, const std::array<int, 2> &degrees_b,
                          double tolerance)
-    : tolerance_(tolerance), samples_(2 * degree_of_differences(degrees_a, degrees_b)) {
-    const int most = std::max({degrees_a[0], degrees_a[1], degrees_b[0], degrees_b[1]});
-    sampling_.resize(16 * (static_cast<size_t>(most) + 1));
-}
+    : tolerance_(tolerance), samples_(samples_for(degrees_a, degrees_b)),
+      sampling_(sampling_for(degrees_a, degrees_b)) {}
 
 void CrossFitter::set_arc(const CrossArc &arc) {
     arc_ = &arc;
@@ -44,8 +53,7 @@ void CrossFitter::set_arc(const CrossArc &arc) {
         const Interval &range = cell.piece().range[k];
         const double digits =
             2 * eps * std::max(std::abs(range.lower), std::abs(range.upper)) / (range.upper - range.lower);
-        const double shifted = cell.is_open(k, 0) || cell.is_open(k, 1) ? 2 * shift_of_sides : 0;
-        rounding_ += slopes_[i] / cell.length(k) * (digits + shifted);
+        rounding_ += slopes_[i] / cell.length(k) * digits;
     }
 }
 
@@ -99,6 +107,7 @@ CrossSegment CrossFitter::hermite(const Node &a, const Node &b) const noexcept {
         on[2][k] = i == axis ? std::clamp(third, lower, upper) : third;
         on[3][k] = b.at[i];
     }
+    stay_in_pieces(segment);
     for (size_t c = 0; c < 3; ++c) {
         segment.space[0][c] = a.point[c];
         segment.space[1][c] = a.point[c] + first * a.tangent[c];
@@ -106,6 +115,19 @@ CrossSegment CrossFitter::hermite(const Node &a, const Node &b) const noexcept {
         segment.space[3][c] = b.point[c];
     }
     return segment;
+}
+
+// What is beyond the border of a piece by no more than what sides are shifted by, or arcs along it are, is on it: polynomials
+// of the piece are those of the surface there.
+void CrossFitter::stay_in_pieces(CrossSegment &segment) const noexcept {
+    for (size_t i = 0; i < 4; ++i) {
+        const CrossCell &cell = arc_->box.cell(i);
+        const size_t k = i % 2;
+        const Interval range{cell.is_border(k, 0) ? 0 : -infinity, cell.is_border(k, 1) ? 1 : infinity};
+        for (std::array<double, 2> &place : segment.on[i / 2]) {
+            place[k] = std::clamp(place[k], range.lower, range.upper);
+        }
+    }
 }
 
 CrossPlace CrossFitter::off_at(double difference) const noexcept {

@@ -32,6 +32,12 @@ public:
 
     void fit(const CrossArc &arc, std::vector<CrossSegment> &segments);
 
+    // Where differences are sampled, and room for it.
+    [[nodiscard]] static CubicSamples samples_for(const std::array<int, 2> &degrees_a,
+                                                  const std::array<int, 2> &degrees_b);
+    [[nodiscard]] static std::vector<double> sampling_for(const std::array<int, 2> &degrees_a,
+                                                          const std::array<int, 2> &degrees_b);
+
 private:
     struct Node {
         CrossPlace at{}, tangent_on{};
@@ -45,6 +51,7 @@ private:
                 std::vector<CrossSegment> &segments);
     // In places of the parts.
     [[nodiscard]] CrossSegment hermite(const Node &a, const Node &b) const noexcept;
+    void stay_in_pieces(CrossSegment &segment) const noexcept;
     void set_deviation(CrossSegment &segment);
     bool limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept;
     // Of places at which |F| is no larger: how far they are off by coordinates, and the surfaces over them in space.

@@ -58,6 +58,14 @@ double length_of(const CrossSpot &a, const CrossSpot &b, double room) noexcept {
     return most;
 }
 
+double length_of(const CrossSpot &a, const CrossSpot &b) noexcept {
+    double most = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        most = std::max(most, std::abs(a.place[i] - b.place[i]));
+    }
+    return most;
+}
+
 double CrossDistances::apart(const CrossSpot &a, const CrossSpot &b, double room) const noexcept {
     constexpr double far = 64;
     double most = 0;

@@ -23,6 +23,9 @@ CrossSpot spot_of(const CrossArc &arc, const CrossEnd &end) noexcept;
 // Of an arc between spots of one piece each, in parts of a room and of the noise of both.
 double length_of(const CrossSpot &a, const CrossSpot &b, double room) noexcept;
 
+// In parts of pieces, along the coordinate along which it is longest.
+double length_of(const CrossSpot &a, const CrossSpot &b) noexcept;
+
 class CrossDistances {
 public:
     CrossDistances(const CrossSurface &a, const CrossSurface &b) : surfaces_{&a, &b} {}

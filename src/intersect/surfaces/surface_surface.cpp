@@ -2,7 +2,9 @@
 #include "intersect/surfaces/surface_surface.h"
 
 #include "base/watch.h"
+#include "intersect/surfaces/contact/contact_curves.h"
 #include "intersect/surfaces/cross_curve.h"
+#include "intersect/surfaces/cross_repeats.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,6 +27,12 @@ std::array<std::optional<Interval>, 2> periodic_axes_of(const Spline &surface) {
     return domains;
 }
 
+// Curves are made of the other half of the work.
+CrossParts parts_of(CrossSearch &search, double tolerance) {
+    const HalfOfWork half;
+    return search.run(tolerance);
+}
+
 } // namespace
 
 Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
@@ -34,8 +42,13 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     const SurfaceBorders borders_a(grid_a), borders_b(grid_b);
     const CrossSurface on_a{grid_a, borders_a}, on_b{grid_b, borders_b};
     CrossSearch search(a, b, borders_a, borders_b);
-    const CrossParts found = search.run(tolerance);
-    CrossChains chains = cross_chains(on_a, on_b, found);
+    CrossParts found = parts_of(search, tolerance);
+    remove_repeats(on_a, on_b, found);
+    const double in_frame = search.frame().scaled(tolerance);
+    ContactTracer tracer(search.solver(), degrees_of(a), degrees_of(b), in_frame);
+    const std::vector<ContactCurve> contacts = contact_curves(tracer, in_frame, found);
+    const CrossTouch touch(search.ground(0), search.ground(1), search.frame().scaled(tolerance));
+    CrossChains chains = cross_chains(on_a, on_b, touch, found);
     Meet meet;
     meet.of_two = true;
     meet.periodic = {periodic_axes_of(a), periodic_axes_of(b)};
@@ -54,6 +67,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
         branch.nodes = chain.nodes;
         branch.loop = chain.loop;
     }
+    add_branches(contacts, search.frame(), on_a, on_b, meet);
     return meet;
 }
 

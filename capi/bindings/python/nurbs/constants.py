@@ -301,7 +301,7 @@ NURBS_RAY_BACK = 0x08  # it comes from behind: from the side to which S_u x S_v 
 # --- Kinds of nodes of a nurbs_meet
 NURBS_NODE_BORDER = 1  # the surface ends or jumps there
 NURBS_NODE_SEAM = 2  # it closes there on an axis that is not periodic: the branch goes on beyond
-NURBS_NODE_TOUCH = 3  # a part near the plane in which branches are not told apart
+NURBS_NODE_TOUCH = 3  # a part within the tolerance in which branches are not told apart
 NURBS_NODE_UNDECIDED = 4  # a part in which it is left open what there is
 NURBS_NODE_EDGE = 5  # an edge, a corner or a pole of faces of a model, where another branch goes on
 
@@ -320,6 +320,7 @@ NURBS_REFLECTION_FROM = 3  # the same with v = S - eye: seen from the point eye
 NURBS_BRANCH_CROSSING = 1  # what surfaces, or a surface and a plane, have in common
 NURBS_BRANCH_EDGE = 2  # an edge that two faces share
 NURBS_BRANCH_CONTACT = 3  # one at which both faces have the same tangent planes, somewhere at least
+NURBS_BRANCH_TOUCH = 4  # a curve along which surfaces have the same tangent planes: they touch
 
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point

@@ -921,7 +921,7 @@ pub const NURBS_RAY_BACK: i32 = 0x08;
 pub const NURBS_NODE_BORDER: i32 = 1;
 /// it closes there on an axis that is not periodic: the branch goes on beyond
 pub const NURBS_NODE_SEAM: i32 = 2;
-/// a part near the plane in which branches are not told apart
+/// a part within the tolerance in which branches are not told apart
 pub const NURBS_NODE_TOUCH: i32 = 3;
 /// a part in which it is left open what there is
 pub const NURBS_NODE_UNDECIDED: i32 = 4;
@@ -953,6 +953,8 @@ pub const NURBS_BRANCH_CROSSING: i32 = 1;
 pub const NURBS_BRANCH_EDGE: i32 = 2;
 /// one at which both faces have the same tangent planes, somewhere at least
 pub const NURBS_BRANCH_CONTACT: i32 = 3;
+/// a curve along which surfaces have the same tangent planes: they touch
+pub const NURBS_BRANCH_TOUCH: i32 = 4;
 
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Curves along which two surfaces touch.
+#pragma once
+
+#include "intersect/surfaces/contact/contact_point.h"
+#include "intersect/surfaces/cross_segment.h"
+
+namespace nrb::intersect {
+
+// Parameters run on beyond domains that close, from each place to the next.
+struct ContactCurve {
+    std::vector<ContactPoint> places;
+    std::vector<CrossSegment> segments; // between them, over parameters of the pieces that they are in
+    bool closed = false;
+    bool ends =
+        true; // whether both ends are where a surface ends; if not it is left open how the curve goes on
+};
+
+// From a place of contact to both sides, from one side of pieces to the next: segments as long as their distances from both surfaces
+// allow, which are bounded as those of CrossFitter.
+class ContactTracer {
+public:
+    // tolerance: in the frame.
+    ContactTracer(const ContactSolver &solver, const std::array<int, 2> &degrees_a,
+                  const std::array<int, 2> &degrees_b, double tolerance);
+
+    [[nodiscard]] ContactCurve trace(const ContactPoint &start);
+    // Whether |h| is no larger than the tolerance all along, if it changes by no more than change dx^2 / 2 between places where it
+    // and its derivative are 0, as they are in as many places of the curve as that takes.
+    [[nodiscard]] bool is_contact(const ContactCurve &curve, double change) const;
+
+private:
+    enum class End { none, closed, border, lost };
+    struct Step {
+        ContactPoint to;
+        CrossSegment segment;
+        bool border = false;
+    };
+
+    End follow(const ContactPoint &start, double way, std::vector<ContactPoint> &places,
+               std::vector<CrossSegment> &segments);
+    bool step(const ContactPoint &from, double way, Step &result) const;
+    [[nodiscard]] std::optional<ContactPoint> next(const ContactPoint &from, double length) const;
+    bool stop_at_break(const ContactPoint &from, double way, Step &result) const;
+    [[nodiscard]] double break_between(size_t i, double from, double to) const noexcept;
+    [[nodiscard]] bool is_border(size_t i, double at) const noexcept;
+    bool set_segment(const ContactPoint &from, double way, Step &result) const;
+    [[nodiscard]] double largest_gap(size_t surface, CrossSegment &segment, const CrossPlace &middle) const;
+
+    const ContactSolver &solver_;
+    double tolerance_, length_ = 0x1p-5; // of the next step
+    CubicSamples samples_;
+    mutable std::vector<double> sampling_;
+};
+
+// Whether a place is on a curve, to within a distance in space.
+bool is_on(const ContactCurve &curve, const ContactPoint &place, double distance) noexcept;
+
+} // namespace nrb::intersect

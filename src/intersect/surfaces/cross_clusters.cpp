@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_clusters.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+#include "intersect/levels/trace/cluster_groups.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace nrb::intersect {
+
+namespace {
+
+using Ranges = std::array<Interval, 4>;
+using Members = std::vector<size_t>;
+
+class Groups {
+public:
+    Groups(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+           const std::vector<CrossCluster> &clusters)
+        : surfaces_{&a, &b}, touch_(touch), clusters_(clusters) {}
+
+    std::vector<CrossGroup> run() {
+        if (clusters_.empty()) {
+            return {};
+        }
+        for (const Members &members : groups_on_both()) {
+            Ranges all = clusters_[members.front()].ranges;
+            for (const size_t member : members) {
+                enclose(clusters_[member].ranges, all);
+            }
+            groups_.push_back(all);
+        }
+        std::ranges::sort(groups_, std::ranges::greater(), size_of);
+        absorb();
+        std::vector<CrossGroup> result;
+        for (Ranges &group : groups_) {
+            touch_.narrow(group);
+            const bool touch = touch_.is_touch(group);
+            if (touch) {
+                widen(group);
+            }
+            result.push_back({group, touch});
+        }
+        return result;
+    }
+
+private:
+    // Parts of one surface may be large where the other one bends: what is together there is told apart on the other one.
+    [[nodiscard]] std::vector<Members> groups_on_both() const {
+        Members all(clusters_.size());
+        for (size_t i = 0; i < all.size(); ++i) {
+            all[i] = i;
+        }
+        std::vector<Members> groups{std::move(all)};
+        for (const size_t surface : {size_t{0}, size_t{1}, size_t{0}}) {
+            std::vector<Members> finer;
+            for (const Members &group : groups) {
+                add_groups(surface, group, finer);
+            }
+            groups = std::move(finer);
+        }
+        return groups;
+    }
+    void add_groups(size_t surface, const Members &of, std::vector<Members> &groups) const {
+        std::vector<ParameterRanges> ranges;
+        for (const size_t i : of) {
+            ranges.push_back({clusters_[i].ranges[2 * surface], clusters_[i].ranges[2 * surface + 1]});
+        }
+        for (const Members &group :
+             touching_groups(ranges, surfaces_[surface]->grid, surfaces_[surface]->borders)) {
+            Members &members = groups.emplace_back();
+            std::ranges::transform(group, std::back_inserter(members), [&](size_t i) { return of[i]; });
+        }
+    }
+
+    // As far as it is a touch, for what rounding leaves around one.
+    void widen(Ranges &group) const {
+        for (const double times : {64.0, 16.0, 4.0}) {
+            Ranges wide = group;
+            for (size_t i = 0; i < 4; ++i) {
+                const double room = (times - 1) / 2 * (group[i].upper - group[i].lower);
+                wide[i] = {group[i].lower - room, group[i].upper + room};
+                keep_in_domain(i, wide[i]);
+            }
+            if (touch_.is_touch(wide)) {
+                group = wide;
+                return;
+            }
+        }
+    }
+
+    [[nodiscard]] double period(size_t i) const noexcept {
+        const SurfaceBorders &borders = surfaces_[i / 2]->borders;
+        return borders.wraps(i % 2) ? borders.period(i % 2) : 0;
+    }
+    // Beyond the upper end of what closes, and no longer than that.
+    void keep_in_domain(size_t i, Interval &range) const noexcept {
+        const Interval domain = domain_along(surfaces_[i / 2]->grid, i % 2);
+        if (period(i) == 0 || range.upper - range.lower >= period(i)) {
+            range = {std::max(range.lower, domain.lower), std::min(range.upper, domain.upper)};
+        } else if (range.lower < domain.lower) {
+            range = {range.lower + period(i), range.upper + period(i)};
+        }
+    }
+    static double size_of(const Ranges &ranges) noexcept {
+        return std::max(ranges[0].upper - ranges[0].lower, ranges[1].upper - ranges[1].lower);
+    }
+    // Across seams where that makes less.
+    void enclose(const Ranges &own, Ranges &all) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            Interval best{-infinity, infinity};
+            for (const double shift : {0.0, period(i), -period(i)}) {
+                const Interval both{std::min(all[i].lower, own[i].lower + shift),
+                                    std::max(all[i].upper, own[i].upper + shift)};
+                best = both.upper - both.lower < best.upper - best.lower ? both : best;
+            }
+            all[i] = best;
+            keep_in_domain(i, all[i]);
+        }
+    }
+
+    // Larger ones come first.
+    void absorb() {
+        constexpr size_t most = 256; // of what is looked at in all pairs
+        for (size_t i = 0; i < std::min(groups_.size(), most); ++i) {
+            for (size_t j = i + 1; j < std::min(groups_.size(), most); ++j) {
+                count_work(20);
+                if (are_near(groups_[i], groups_[j])) {
+                    enclose(groups_[j], groups_[i]);
+                    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(j));
+                    j = i;
+                }
+            }
+        }
+    }
+    [[nodiscard]] bool are_near(const Ranges &large, const Ranges &small) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = 2 * (large[i].upper - large[i].lower);
+            bool any = false;
+            for (const double shift : {0.0, period(i), -period(i)}) {
+                any = any || (small[i].lower + shift <= large[i].upper + room &&
+                              small[i].upper + shift >= large[i].lower - room);
+            }
+            if (!any) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    std::array<const CrossSurface *, 2> surfaces_;
+    const CrossTouch &touch_;
+    const std::vector<CrossCluster> &clusters_;
+    std::vector<Ranges> groups_;
+};
+
+} // namespace
+
+std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+                                     const std::vector<CrossCluster> &clusters) {
+    return Groups(a, b, touch, clusters).run();
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/cross_repeats.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace nrb::intersect {
+
+namespace {
+
+// In parts of pieces: arcs that are no farther beyond their piece may be on its border.
+constexpr double on_border = 0x1p-26;
+// In parts of boxes: what a chart makes of places that polynomials of neighbours find.
+constexpr double one_zero = 0x1p-10, least_rest = 0x1p-24;
+
+class Repeats {
+public:
+    Repeats(const CrossSurface &a, const CrossSurface &b, CrossParts &found)
+        : surfaces_{&a, &b}, found_(found) {}
+
+    void run() {
+        if (std::ranges::none_of(found_.arcs, &CrossArc::along)) {
+            return;
+        }
+        std::vector<size_t> along;
+        for (size_t i = 0; i < found_.arcs.size(); ++i) {
+            found_.arcs[i].along ? along.push_back(i) : keep(found_.arcs[i]);
+        }
+        std::ranges::sort(along, {}, [&](size_t i) { return rank(i); });
+        for (const size_t i : along) {
+            work_ended() ? leave_open(found_.arcs[i]) : add(found_.arcs[i]);
+        }
+        found_.arcs = std::move(kept_);
+    }
+
+private:
+    // What is in its own piece comes first, then the lower piece.
+    [[nodiscard]] std::tuple<double, std::array<int64_t, 4>, size_t> rank(size_t i) const {
+        const CrossArc &arc = found_.arcs[i];
+        return {arc.far <= on_border ? 0 : arc.far, spot_of(arc, arc.ends[0]).index, i};
+    }
+    void keep(const CrossArc &arc) {
+        kept_.push_back(arc);
+        spots_.push_back({spot_of(arc, arc.ends[0]), spot_of(arc, arc.ends[1])});
+    }
+    // On the way of an arc.
+    static double along(const CrossArc &arc, const CrossPlace &z) noexcept {
+        return arc.box.chart.direction() * z[arc.box.chart.axis()];
+    }
+    static Interval way_of(const CrossArc &arc) noexcept {
+        return {along(arc, arc.ends[0].at), along(arc, arc.ends[1].at)};
+    }
+
+    void add(const CrossArc &arc) {
+        std::vector<Interval> rest{way_of(arc)};
+        const std::array<CrossSpot, 2> spots{spot_of(arc, arc.ends[0]), spot_of(arc, arc.ends[1])};
+        for (size_t other = 0; other < kept_.size() && !rest.empty(); ++other) {
+            count_work(10);
+            if (are_near(spots[0], spots_[other][0])) {
+                take(common(arc, spots, kept_[other], spots_[other]), rest);
+            }
+        }
+        for (const Interval &part : rest) {
+            if (part.upper - part.lower > least_rest) {
+                arc.far <= on_border ? keep_part(arc, part) : leave_open(arc);
+            }
+        }
+    }
+    static void take(const Interval &common, std::vector<Interval> &rest) {
+        std::vector<Interval> left;
+        for (const Interval &part : rest) {
+            if (!(common.lower < common.upper)) {
+                left.push_back(part);
+                continue;
+            }
+            const Interval before{part.lower, std::min(part.upper, common.lower)},
+                after{std::max(part.lower, common.upper), part.upper};
+            for (const Interval &side : {before, after}) {
+                if (side.lower < side.upper) {
+                    left.push_back(side);
+                }
+            }
+        }
+        rest = std::move(left);
+    }
+    [[nodiscard]] bool are_near(const CrossSpot &a, const CrossSpot &b) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
+            const int64_t far = std::abs(a.index[i] - b.index[i]);
+            if (far > 1 && !(wraps(i) && far == count(i) - 1)) {
+                return false;
+            }
+        }
+        return true;
+    }
+    [[nodiscard]] bool wraps(size_t i) const noexcept { return surfaces_[i / 2]->borders.wraps(i % 2); }
+    [[nodiscard]] int64_t count(size_t i) const noexcept {
+        return surfaces_[i / 2]->grid.count(static_cast<int>(i % 2));
+    }
+    [[nodiscard]] double length(size_t i, int64_t index) const noexcept {
+        const pieces::PieceGrid &grid = surfaces_[i / 2]->grid;
+        const int axis = static_cast<int>(i % 2);
+        return grid.break_at(axis, index + 1) - grid.break_at(axis, index);
+    }
+
+    // On the way of an arc: what the other one has of it. Where they have a zero in common they are one as far as both go.
+    [[nodiscard]] Interval common(const CrossArc &arc, const std::array<CrossSpot, 2> &spots,
+                                  const CrossArc &other, const std::array<CrossSpot, 2> &of_other) const {
+        const Interval way = way_of(arc), way_of_other = way_of(other);
+        std::array<double, 2> ends{};
+        for (size_t end = 0; end < 2; ++end) {
+            CrossPlace z{};
+            if (is_zero_of(arc, of_other[end], z)) {
+                ends[end] = along(arc, z);
+            } else if (is_zero_of(other, spots[end], z) &&
+                       along(other, z) >= way_of_other.lower - least_rest &&
+                       along(other, z) <= way_of_other.upper + least_rest) {
+                ends[end] = end == 0 ? way.lower : way.upper;
+            } else {
+                return {1, 0};
+            }
+        }
+        const Interval shared{std::max(ends[0], way.lower), std::min(ends[1], way.upper)};
+        return shared.upper - shared.lower > least_rest ? shared : Interval{1, 0};
+    }
+    // Whether a spot is one of the zeros in the wide box of an arc, at z there.
+    [[nodiscard]] bool is_zero_of(const CrossArc &arc, const CrossSpot &spot, CrossPlace &z) const {
+        for (size_t i = 0; i < 4; ++i) {
+            z[i] = place_in(arc.box, spot, i);
+            if (!(z[i] >= -widening && z[i] <= 1 + widening)) {
+                return false;
+            }
+        }
+        CrossPlace zero = z;
+        if (!arc.box.solve(arc.box.chart.axis(), zero)) {
+            return false;
+        }
+        for (size_t i = 0; i < 4; ++i) {
+            zero[i] -= z[i];
+        }
+        return largest(zero) <= one_zero;
+    }
+    // In the part, of the pieces around it; where these are several the one nearest to its middle.
+    [[nodiscard]] double place_in(const CrossBox &box, const CrossSpot &spot, size_t i) const noexcept {
+        const CrossCell &cell = box.cell(i);
+        const CrossPiece &piece = cell.piece();
+        const size_t k = i % 2;
+        const int64_t n = count(i), own = piece.index[k];
+        double nearest = infinity;
+        for (const int64_t step : {0, 1, -1}) {
+            int64_t at = own + step;
+            if ((at < 0 || at >= n) && !wraps(i)) {
+                continue;
+            }
+            at = (at + n) % n;
+            if (at != spot.index[i]) {
+                continue;
+            }
+            const double stretch = length(i, at) / length(i, own), x = step == 0 ? spot.place[i]
+                                                                       : step == 1
+                                                                           ? 1 + stretch * spot.place[i]
+                                                                           : -stretch * (1 - spot.place[i]);
+            const Interval &within = piece.within[k];
+            const double z = cell.in_part(k, (x - within.lower) / (within.upper - within.lower));
+            nearest = std::abs(z - 0.5) < std::abs(nearest - 0.5) ? z : nearest;
+        }
+        return nearest;
+    }
+
+    void keep_part(const CrossArc &arc, const Interval &part) {
+        CrossArc rest = arc;
+        const size_t k = arc.box.chart.axis();
+        const Interval way = way_of(arc);
+        for (size_t end = 0; end < 2; ++end) {
+            const double at = end == 0 ? part.lower : part.upper;
+            if (at == (end == 0 ? way.lower : way.upper)) {
+                continue;
+            }
+            CrossEnd &cut = rest.ends[end];
+            const double share = (at - way.lower) / (way.upper - way.lower);
+            for (size_t i = 0; i < 4; ++i) {
+                cut.at[i] = (1 - share) * arc.ends[0].at[i] + share * arc.ends[1].at[i];
+            }
+            if (!arc.box.solve(k, cut.at)) {
+                leave_open(arc);
+                return;
+            }
+            cut.coordinate = k;
+            cut.open = false;
+        }
+        keep(rest);
+    }
+    void leave_open(const CrossArc &arc) { found_.clusters.push_back({ranges_of(arc.box), false}); }
+
+    std::array<const CrossSurface *, 2> surfaces_;
+    CrossParts &found_;
+    std::vector<CrossArc> kept_;
+    std::vector<std::array<CrossSpot, 2>> spots_; // of what is kept
+};
+
+} // namespace
+
+void remove_repeats(const CrossSurface &a, const CrossSurface &b, CrossParts &found) {
+    Repeats(a, b, found).run();
+}
+
+} // namespace nrb::intersect
