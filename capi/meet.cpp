@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where planes cut surfaces, and what was found there.
+// Where planes cut surfaces, where surfaces meet, and what was found there.
 #include "checks.h"
 #include "guard.h"
 #include "meets.h"
@@ -7,8 +7,10 @@
 #include "watched.h"
 
 #include "base/tolerance.h"
+#include "face/made/projected_curve.h"
 #include "face/trimmed_meet.h"
 #include "intersect/levels/sections.h"
+#include "intersect/projection/curve_projection.h"
 #include "intersect/surfaces/surface_surface.h"
 #include "spline/kind.h"
 
@@ -64,6 +66,21 @@ void put_place(const std::array<double, 2> &at, const std::array<Interval, 2> &r
     }
 }
 
+// What is projected, and how.
+struct ProjectionQuery {
+    SplinePtr curve;
+    Vector3 direction;
+};
+ProjectionQuery projection_query(const nurbs *curve, const double *direction, double tolerance) {
+    const Spline &spline = named(curve, "curve");
+    require(direction, "direction");
+    check_kind(spline, 1, "curve");
+    check_dimension(spline, 3, 3);
+    check_direction("direction", direction);
+    check_positive_tolerance(tolerance);
+    return {curve->spline, vector_of(direction, 3)};
+}
+
 } // namespace
 
 nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_t n, const double *offsets,
@@ -103,6 +120,45 @@ nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *b, double 
 nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
                                               const nurbs_call_options *call, nurbs_meet **out) {
     return watched(call, out, [&] { return nurbs_surface_intersections(a, b, tolerance, out); });
+}
+
+nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve, const double *direction,
+                                         double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        require(curve, "curve");
+        require(direction, "direction");
+        const Spline &surface = surface_of(g);
+        check_dimension(surface, 3, 3);
+        const ProjectionQuery query = projection_query(curve, direction, tolerance);
+        give_meet(intersect::projected_along(query.curve, surface, query.direction, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nurbs *curve, const double *direction,
+                                              double tolerance, const nurbs_call_options *call,
+                                              nurbs_meet **out) {
+    return watched(call, out,
+                   [&] { return nurbs_surface_project_curve(g, curve, direction, tolerance, out); });
+}
+
+nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve, const double *direction,
+                                      double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const face::Face &own = face_of(face);
+        check_dimension(*own.surface(), 3, 3);
+        const ProjectionQuery query = projection_query(curve, direction, tolerance);
+        give_meet(face::projected_along(query.curve, own, query.direction, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_face_project_curve_with(const nurbs_face *face, const nurbs *curve,
+                                           const double *direction, double tolerance,
+                                           const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out,
+                   [&] { return nurbs_face_project_curve(face, curve, direction, tolerance, out); });
 }
 
 nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out) {

@@ -30,6 +30,7 @@ public:
         : face_(face), meet_(meet), border_(face), apart_(apart) {}
 
     BorderedMeet run() {
+        result_.of_two = meet_.of_two;
         keep_nodes();
         Steps steps(std::ssize(meet_.branches));
         for (const MeetBranch &branch : meet_.branches) {
@@ -74,7 +75,14 @@ private:
     int64_t node_on(const MeetBranch &branch, double t, NodeKind kind) {
         const std::vector<double> on = eval::curve_point(*branch.on, t, false);
         const Point2 at = face_.covering().in_domain({on[0], on[1]});
-        return add_node({branch.level, kind, at, {Interval{at[0], at[0]}, Interval{at[1], at[1]}}});
+        MeetNode node{branch.level, kind, at, {Interval{at[0], at[0]}, Interval{at[1], at[1]}}};
+        if (branch.on_second != nullptr) {
+            eval::curve_point(*branch.on_second, t, false, node.at_second.data());
+            for (size_t k = 0; k < 2; ++k) {
+                node.range_second[k] = {node.at_second[k], node.at_second[k]};
+            }
+        }
+        return add_node(node);
     }
 
     // Parameters at which a branch may come in or go out, and where it runs along the border.
@@ -191,6 +199,9 @@ private:
         if (!whole) {
             own.space = refine::restrict_axis(branch.space, 0, part.range.lower, part.range.upper);
             own.on = refine::restrict_axis(branch.on, 0, part.range.lower, part.range.upper);
+            if (own.on_second != nullptr) {
+                own.on_second = refine::restrict_axis(own.on_second, 0, part.range.lower, part.range.upper);
+            }
         }
         std::array<std::vector<BorderPlace>, 2> places;
         if (!whole || !closed) {

@@ -106,6 +106,47 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
     }
 }
 
+// Along curves that are projected t rises.
+void look_at_projection(const nurbs_meet *found) {
+    look_at(found);
+    int64_t branches = 0;
+    FUZZ_REQUIRE(nurbs_meet_counts(found, &branches, nullptr, nullptr) == NURBS_OK);
+    for (int64_t i = 0; i < std::min<int64_t>(branches, 16); ++i) {
+        nurbs *lines = nullptr;
+        double domain[2], ends[4];
+        FUZZ_REQUIRE(nurbs_meet_branch_second(found, i, &lines) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_domain(lines, 0, domain) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_eval(lines, 2, domain, 0, 0, ends, 0, 0, 0) == NURBS_OK);
+        FUZZ_REQUIRE(ends[0] <= ends[2]);
+        nurbs_destroy(lines);
+    }
+}
+
+// Onto a surface, and onto all of it as a face.
+void project(const nurbs *curve, const nurbs *surface, const double *direction, double tolerance,
+             const nurbs_call_options &call, bool plain) {
+    nurbs_meet *found = nullptr;
+    if (plain ? FUZZ_OK(nurbs_surface_project_curve(surface, curve, direction, tolerance, &found))
+              : FUZZ_OK(
+                    nurbs_surface_project_curve_with(surface, curve, direction, tolerance, &call, &found))) {
+        look_at_projection(found);
+        nurbs_meet_destroy(found);
+    } else {
+        FUZZ_REQUIRE(found == nullptr);
+    }
+    nurbs_face *face = nullptr;
+    if (!FUZZ_OK(
+            nurbs_face_create(surface, 0, nullptr, nullptr, nullptr, nullptr, 1e-6, 0, nullptr, &face))) {
+        return;
+    }
+    if (plain ? FUZZ_OK(nurbs_face_project_curve(face, curve, direction, tolerance, &found))
+              : FUZZ_OK(nurbs_face_project_curve_with(face, curve, direction, tolerance, &call, &found))) {
+        look_at_projection(found);
+        nurbs_meet_destroy(found);
+    }
+    nurbs_face_destroy(face);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -131,6 +172,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         meet_surfaces(surface.get(), second.get(), tolerance, 200000);
         meet_surfaces(surface.get(), surface.get(), tolerance, in.below(20000) + 1);
     }
+    const double direction[] = {in.number(), in.number(), in.coin() ? 1 : in.number()};
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = 50000;
+    project(curve.get(), surface.get(), direction, tolerance, call, in.rarely());
     nurbs *side = nullptr;
     double domain[2];
     if (FUZZ_OK(nurbs_domain(surface.get(), 0, domain)) &&

@@ -3188,6 +3188,49 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_intersections_with
+        !> A curve projected onto a surface along a direction: all curves in which the lines C(t) + h d / |d|
+        !> meet the surface, proven to be all.
+        function nurbs_surface_project_curve(g, curve, direction, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_project_curve
+        !> nurbs_surface_project_curve() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_surface_project_curve_with(g, curve, direction, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_project_curve_with
+        !> A curve projected onto a face along a direction: what of nurbs_surface_project_curve() on its
+        !> surface is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face they
+        !> end in nodes BORDER.
+        function nurbs_face_project_curve(face, curve, direction, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_project_curve
+        !> nurbs_face_project_curve() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_face_project_curve_with(face, curve, direction, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_project_curve_with
         !> Another handle on the same meet, in constant time.
         function nurbs_meet_clone(meet, out) bind(c) result(r)
             import
@@ -3225,7 +3268,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: space, on_surface
             integer(c_int32_t) :: r
         end function nurbs_meet_branch
-        !> The curve of a branch on the second of two surfaces.
+        !> The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
         function nurbs_meet_branch_second(meet, index, on_second) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3243,7 +3286,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), ranges(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes
-        !> Where the nodes of a meet are on the second of two surfaces.
+        !> Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
         function nurbs_meet_nodes_second(meet, cap, params, ranges, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet

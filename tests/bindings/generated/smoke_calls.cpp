@@ -926,6 +926,18 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("surface_project_curve");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::Meet::projection(sphere, in.twist, std::array<double, 3>{0.0, 1.0, 1.0}, 0.001);
+        show("out", found);
+    }
+    {
+        begin("face_project_curve");
+        const auto found = n::Meet::face_projection(in.face, in.twist, std::array<double, 3>{0.0, 0.0, 1.0}, 0.001);
+        show("out", found);
+    }
+    {
         begin("model_sections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -1480,6 +1492,18 @@ void data(const Inputs &in) {
         begin("surface_intersections_with");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
         const auto found = n::Meet::surfaces(wall, in.surface, 0.1, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_project_curve_with");
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::Meet::projection(sphere, in.twist, std::array<double, 3>{0.0, 1.0, 1.0}, 0.001, watched());
+        show("out", found);
+    }
+    {
+        begin("face_project_curve_with");
+        const auto found = n::Meet::face_projection(in.face, in.twist, std::array<double, 3>{0.0, 0.0, 1.0}, 0.001, watched());
         show("out", found);
     }
     {

@@ -1865,6 +1865,20 @@ contains
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0)
             call show('out', found)
         end block
+        call begin('surface_project_curve')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call found%projection(g=sphere, curve=twist, direction=[0.0d0, 1.0d0, 1.0d0], tolerance=0.001d0)
+            call show('out', found)
+        end block
+        call begin('face_project_curve')
+        block
+            type(nurbs_meet) :: found
+            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.001d0)
+            call show('out', found)
+        end block
         call begin('model_sections')
         block
             type(nurbs_spline) :: sphere
@@ -2736,6 +2750,24 @@ contains
             call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
                 0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_project_curve_with')
+        block
+            type(nurbs_spline) :: sphere
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call found%projection(g=sphere, curve=twist, direction=[0.0d0, 1.0d0, 1.0d0], tolerance=0.001d0, &
+                call=watching)
+            call show('out', found)
+        end block
+        call begin('face_project_curve_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.001d0, &
+                call=watching)
             call show('out', found)
         end block
         call begin('model_sections_with')

@@ -1577,6 +1577,23 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::surfaces(&wall, &given.surface, 0.1)?;
         show("out", &found);
     }
+    begin("surface_project_curve");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = Meet::projection(&sphere, &given.twist, &[0.0, 1.0, 1.0], 0.001)?;
+        show("out", &found);
+    }
+    begin("face_project_curve");
+    {
+        let found = Meet::face_projection(&given.face, &given.twist, &[0.0, 0.0, 1.0], 0.001)?;
+        show("out", &found);
+    }
     begin("model_sections");
     {
         let sphere = Spline::sphere(
@@ -2401,6 +2418,35 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &wall,
             &given.surface,
             0.1,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_project_curve_with");
+    {
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = Meet::projection_with(
+            &sphere,
+            &given.twist,
+            &[0.0, 1.0, 1.0],
+            0.001,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_project_curve_with");
+    {
+        let found = Meet::face_projection_with(
+            &given.face,
+            &given.twist,
+            &[0.0, 0.0, 1.0],
+            0.001,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);
