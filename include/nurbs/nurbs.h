@@ -5603,6 +5603,47 @@ NURBS_API nurbs_status nurbs_curve_surface_intersections_with(
     double *params_surface, int32_t *kinds, double *ranges_curve, double *ranges_surface, int64_t *count,
     int32_t *complete, const nurbs_call_options *call);
 
+/** \brief The points that three surfaces have in common: all of them, proven to be all. Triples of parts of Bezier pieces are halved
+ * until their boxes have no common part, or a row of M F is nowhere 0, or the largest row sum of |I - M F'| is below 1, with
+ * F = (A(u, v) - B(s, t), A(u, v) - C(p, q)) and M the inverse of its derivative: then there is one common point in them at
+ * most, and Krawczyk's operator tells where. So a point in which the planes of tangents have no common direction is proven to
+ * be one, to rounding where it is on a border or on a knot at which a surface has a kink. UNDECIDED is a part in which it is
+ * left open what there is: the planes of tangents have a common direction, or all but have one, as where the three have a
+ * curve or a region in common, which is told in parts that hang together on a; a derivative vanishes, as at poles; or the limit of
+ * work came first. Costs: some 10 microseconds for each triple of pieces that come together, and more where they run along
+ * each other.
+ * \param[in] a,b,c surfaces of dimension 3.
+ * \param[in] tolerance the size in space, >= 0, of parts that need not be told apart; 0: what double precision tells.
+ * \param[in] cap length of the outputs: 0, or at least the number of points.
+ * \param[out] params [cap][6] or NULL: both parameters of a, then of b, then of c, by rising ones of a; of UNDECIDED parts
+ *   the middle.
+ * \param[out] points [cap][3] or NULL: the points, as evaluated on a.
+ * \param[out] kinds [cap] or NULL: NURBS_HIT_CROSSING or NURBS_HIT_UNDECIDED each.
+ * \param[out] ranges [cap][6][2] or NULL: of these parameters, lower and upper end of each; there are no common points
+ *   outside of them, and those of a crossing hold just one. What is on a seam is told on one side of it. Those of
+ *   a part on both sides of a seam run beyond the upper end of the domain.
+ * \param[out] count or NULL: number of points.
+ * \param[out] complete or NULL: 1 if none is UNDECIDED, else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
+ *   _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surfaces_common_points(const nurbs *a, const nurbs *b, const nurbs *c,
+                                                    double tolerance, int64_t cap, double *params,
+                                                    double *points, int32_t *kinds, double *ranges,
+                                                    int64_t *count, int32_t *complete);
+
+/** \brief nurbs_surfaces_common_points() as a call that can be watched and ended.
+ * \param[in] a,b,c,tolerance,cap as for nurbs_surfaces_common_points().
+ * \param[out] params,points,kinds,ranges,count,complete as for nurbs_surfaces_common_points().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_surfaces_common_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surfaces_common_points_with(const nurbs *a, const nurbs *b, const nurbs *c,
+                                                         double tolerance, int64_t cap, double *params,
+                                                         double *points, int32_t *kinds, double *ranges,
+                                                         int64_t *count, int32_t *complete,
+                                                         const nurbs_call_options *call);
+
 /** \name Status of a ray
  * @{ */
 #define NURBS_RAY_HIT 0x01       /**< the ray meets the surface there, if rounding is allowed for */

@@ -307,6 +307,13 @@ class Sections(unittest.TestCase):
         self.assertEqual(on_plane.knots[0].tolist(), on_ball.knots[0].tolist())
         near(meet.nodes_second.params, meet.nodes_second.ranges[:, :, 0])
 
+    def test_of_three_surfaces(self):
+        ball, side = nurbs.sphere(1), nurbs.plane([0, 4, 0], [0, 0, 4], [0.48, -2, -2])
+        found = ball.common_points(side, nurbs.plane([4, 0, 0], [0, 4, 0], [-2, -2, 0.64]), work=10**9)
+        self.assertEqual((found.complete, found.kinds.tolist()), (True, [nurbs.NURBS_HIT_CROSSING] * 2))
+        near(sorted(found.points.tolist()), [[0.48, -0.6, 0.64], [0.48, 0.6, 0.64]])
+        near(side(found.params[:, 1]), found.points)
+
     def test_projections(self):
         ball, line = nurbs.sphere(1, axis=[0, 1, 0]), nurbs.line([-2, 0.28, 3], [2, 0.28, 3])
         meet = ball.project_curve(line, [0, 0, -2], 1e-9, work=10**9)

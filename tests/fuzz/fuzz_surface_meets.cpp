@@ -106,6 +106,31 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
     }
 }
 
+// Parameters are in the domains, and in the ranges but for periods; a crossing is told as one.
+void meet_three(const std::array<const nurbs *, 3> &surfaces, double tolerance,
+                const nurbs_call_options &call, bool plain) {
+    std::vector<double> params(6 * most), points(3 * most), ranges(12 * most);
+    std::vector<int32_t> kinds(most);
+    int64_t count = 0;
+    int32_t complete = -1;
+    const auto &[a, b, c] = surfaces;
+    if (!(plain ? FUZZ_OK(nurbs_surfaces_common_points(a, b, c, tolerance, most, params.data(), points.data(),
+                                                       kinds.data(), ranges.data(), &count, &complete))
+                : FUZZ_OK(nurbs_surfaces_common_points_with(a, b, c, tolerance, most, params.data(),
+                                                            points.data(), kinds.data(), ranges.data(),
+                                                            &count, &complete, &call)))) {
+        return;
+    }
+    FUZZ_REQUIRE(complete ==
+                 (std::count(kinds.begin(), kinds.begin() + count, NURBS_HIT_UNDECIDED) == 0 ? 1 : 0));
+    for (size_t i = 0; i < 6 * static_cast<size_t>(count); ++i) {
+        double domain[2];
+        FUZZ_REQUIRE(nurbs_domain(surfaces[i % 6 / 2], static_cast<int32_t>(i % 2), domain) == NURBS_OK);
+        FUZZ_REQUIRE(params[i] >= domain[0] && params[i] <= domain[1]);
+        FUZZ_REQUIRE(ranges[2 * i] <= ranges[2 * i + 1] && ranges[2 * i] >= domain[0]);
+    }
+}
+
 // Along curves that are projected t rises.
 void look_at_projection(const nurbs_meet *found) {
     look_at(found);
@@ -172,10 +197,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         meet_surfaces(surface.get(), second.get(), tolerance, 200000);
         meet_surfaces(surface.get(), surface.get(), tolerance, in.below(20000) + 1);
     }
-    const double direction[] = {in.number(), in.number(), in.coin() ? 1 : in.number()};
     nurbs_call_options call;
     FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
     call.work = 50000;
+    if (second) {
+        const fuzz::Handle third(fuzz::create(in_space(in, 2)));
+        meet_three({surface.get(), second.get(), third ? third.get() : surface.get()}, tolerance, call,
+                   in.rarely());
+    }
+    const double direction[] = {in.number(), in.number(), in.coin() ? 1 : in.number()};
     project(curve.get(), surface.get(), direction, tolerance, call, in.rarely());
     nurbs *side = nullptr;
     double domain[2];

@@ -3010,6 +3010,31 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_surface_intersections_with
+        !> The points that three surfaces have in common: all of them, proven to be all.
+        function nurbs_surfaces_common_points(a, b, c, tolerance, cap, params, points, kinds, ranges, count, &
+                complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b, c
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_surfaces_common_points
+        !> nurbs_surfaces_common_points() as a call that can be watched and ended.
+        function nurbs_surfaces_common_points_with(a, b, c, tolerance, cap, params, points, kinds, ranges, &
+                count, complete, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b, c
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_surfaces_common_points_with
         !> Where rays x = origin + t direction, t >= 0, meet a surface first.
         function nurbs_surface_rays(g, n, origins, origin_stride, origin_component_stride, directions, &
                 direction_stride, direction_component_stride, params, distances, status) bind(c) result(r)

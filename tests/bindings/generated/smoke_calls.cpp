@@ -2870,6 +2870,18 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("surfaces_common_points");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::common_points(wall, in.surface, sphere, 0.001);
+        show("params", found.params);
+        show("points", found.points);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
         begin("curve_surface_intersections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -3542,6 +3554,18 @@ void query(const Inputs &in) {
         show("params", found.params);
         show("distances", found.distances);
         show("status", found.status);
+    }
+    {
+        begin("surfaces_common_points_with");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::common_points(wall, in.surface, sphere, 0.001, watched());
+        show("params", found.params);
+        show("points", found.points);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
     }
     {
         begin("curve_surface_intersections_with");

@@ -4850,6 +4850,29 @@ contains
             call show('kinds', kinds_found)
             call show('complete', complete_found)
         end block
+        call begin('surfaces_common_points')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_spline) :: sphere
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: points_found(:, :)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :, :)
+            logical :: complete_found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call common_points(a=wall, b=surface, c=sphere, params=params_found, points=points_found, &
+                kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=0.001d0)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 3), &
+                size(ranges_found, 1)], order=[3, 1, 2])))
+            call show('complete', complete_found)
+        end block
         call begin('curve_surface_intersections')
         block
             type(nurbs_spline) :: sphere
@@ -5972,6 +5995,30 @@ contains
                 directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
                 call=watching)
             call show('distances', distances_found)
+        end block
+        call begin('surfaces_common_points_with')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_spline) :: sphere
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: points_found(:, :)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call common_points(a=wall, b=surface, c=sphere, params=params_found, points=points_found, &
+                kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=0.001d0, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 3), &
+                size(ranges_found, 1)], order=[3, 1, 2])))
+            call show('complete', complete_found)
         end block
         call begin('curve_surface_intersections_with')
         block

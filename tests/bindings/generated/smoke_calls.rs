@@ -4122,6 +4122,30 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("kinds", &found.kinds);
         show("complete", &found.complete);
     }
+    begin("surfaces_common_points");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = wall.common_points(&given.surface, &sphere, 0.001)?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
     begin("curve_surface_intersections");
     {
         let sphere = Spline::sphere(
@@ -4993,6 +5017,35 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("params", &found.params);
         show("distances", &found.distances);
         show("status", &found.status);
+    }
+    begin("surfaces_common_points_with");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = wall.common_points_with(
+            &given.surface,
+            &sphere,
+            0.001,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
     }
     begin("curve_surface_intersections_with");
     {

@@ -231,6 +231,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_curve_level, lib.nurbs_curve_level_with),
         (lib.nurbs_curve_intersections, lib.nurbs_curve_intersections_with),
         (lib.nurbs_curve_surface_intersections, lib.nurbs_curve_surface_intersections_with),
+        (lib.nurbs_surfaces_common_points, lib.nurbs_surfaces_common_points_with),
         (lib.nurbs_curve_self_intersections, lib.nurbs_curve_self_intersections_with),
         (lib.nurbs_surface_rays, lib.nurbs_surface_rays_with),
         (lib.nurbs_face_rays, lib.nurbs_face_rays_with),

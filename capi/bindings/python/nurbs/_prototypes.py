@@ -262,6 +262,8 @@ PROTOTYPES = {
     "nurbs_curve_self_intersections_with": "i pdlpppppppp",
     "nurbs_curve_surface_intersections": "i ppdlppppppp",
     "nurbs_curve_surface_intersections_with": "i ppdlpppppppp",
+    "nurbs_surfaces_common_points": "i pppdlpppppp",
+    "nurbs_surfaces_common_points_with": "i pppdlppppppp",
     "nurbs_surface_rays": "i plpllpllppp",
     "nurbs_surface_rays_with": "i plpllpllpppp",
     "nurbs_surface_ray_hits": "i pppplppppp",

@@ -3844,6 +3844,39 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// The points that three surfaces have in common: all of them, proven to be all.
+    ///
+    /// May be null: `params`, `points`, `kinds`, `ranges`, `count`, `complete`.
+    pub fn nurbs_surfaces_common_points(
+        a: *const nurbs,
+        b: *const nurbs,
+        c: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        points: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_surfaces_common_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `points`, `kinds`, `ranges`, `count`, `complete`, `call`.
+    pub fn nurbs_surfaces_common_points_with(
+        a: *const nurbs,
+        b: *const nurbs,
+        c: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        points: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Where rays x = origin + t direction, t \>= 0, meet a surface first.
     ///
     /// May be null: `params`, `distances`, `status`.
