@@ -5944,10 +5944,11 @@ NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nu
  * - FOLD: t turns there, since d is in the tangent plane of the surface: the branch goes on in another one, on the sheet of
  *   the surface behind the fold, which ends there as well or begins there. Turns of t along no more of the curve, across
  *   d, than 4 deviations of the branch are none.
- * - UNDECIDED: where it is left open what there is: the surface touches the lines, or holds one of them; the curve runs along d;
- *   a derivative vanishes; or the limit of work came first.
+ * - UNDECIDED: where it is left open what there is: the surface touches the lines along a curve, or holds one of them; a
+ *   derivative vanishes; or the limit of work came first.
  *
- * Outside of these the branches are all there is, to within their deviations.
+ * Outside of these the branches are all there is, to within their deviations. Where the curve runs along d they stay in a
+ * point, and knots are next to each other.
  * \param[in] g a surface of dimension 3.
  * \param[in] curve a curve of dimension 3.
  * \param[in] direction [3]: d, of any length but 0; what is projected against it has h < 0.

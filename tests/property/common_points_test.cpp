@@ -227,6 +227,52 @@ TEST(CommonPoints, OrdersKnotsAndMotions) {
     EXPECT_GE(points, cases / 2);
 }
 
+// On knots, middles, borders, corners and seams each point is told once.
+TEST(CommonPoints, OnKnotsBordersAndSeams) {
+    const auto saddle = [](double x0, double y0) { return quadratic_graph(1, 0, -1, 0, x0, y0); };
+    const Handle whole = create(saddle(-1, -1)),
+                 pieces = made([&](nurbs **out) { return nurbs_refine_uniform(whole.get(), 0, 2, out); }),
+                 corner = create(saddle(0, 0)), // which ends at x = 0 and at y = 0
+        upright = create(flat({0, 0, 0}, {0, 1, 0}, {0, 0, 1})),
+                 across = create(flat({0, 0, 0}, {1, 0, 0}, {0, 0.1, 1}));
+    for (const Handle *g : {&whole, &pieces, &corner}) {
+        const std::array<const nurbs *, 3> own{g->get(), upright.get(), across.get()};
+        const Common found = common_of(own[0], own[1], own[2]);
+        EXPECT_TRUE(found.complete);
+        ASSERT_EQ(found.size(), 1U); // on knots, middles and corners of two or three
+        EXPECT_LE(distance(found.points[0], {0, 0, 0}), 1e-14);
+        check_points(found, own, 1e-14);
+    }
+    // The seam of a ball is at y = 0, x > 0.
+    const Handle a = create(ball(1, {0, 0, 0})), seam = create(flat({0, 0, 0}, {1, 0, 0}, {0, 0, 1})),
+                 level = create(flat({0, 0, 0.6}, {1, 0, 0}, {0, 1, 0}));
+    const Common on_seam = common_of(a.get(), seam.get(), level.get());
+    EXPECT_TRUE(on_seam.complete);
+    ASSERT_EQ(on_seam.size(), 2U);
+    for (const Point3 &x : on_seam.points) {
+        EXPECT_LE(distance(x, {x[0] > 0 ? 0.8 : -0.8, 0, 0.6}), 1e-14);
+    }
+    // At a pole a derivative vanishes.
+    const Common pole = common_of(a.get(), seam.get(), create(flat({0, 0, 0}, {0, 1, 0.1}, {0, 0, 1})).get());
+    EXPECT_FALSE(pole.complete);
+    for (const Point3 &x : pole.points) {
+        EXPECT_LE(distance(x, {0, 0, x[2] > 0 ? 1.0 : -1.0}), 1e-2);
+    }
+}
+
+TEST(CommonPoints, AnySize) {
+    for (const double size : {1e-9, 1e-3, 1e6, 1e12}) {
+        SCOPED_TRACE(size);
+        const double r = size;
+        const Handle a = create(ball(r, {0, 0, 0})), b = create(ball(r, {r, 0, 0})),
+                     c = create(ball(r, {0, r, 0.2 * r}));
+        const Common found = common_of(a.get(), b.get(), c.get());
+        EXPECT_TRUE(found.complete);
+        EXPECT_EQ(found.size(), 2U);
+        check_points(found, {a.get(), b.get(), c.get()}, 1e-14 * size);
+    }
+}
+
 } // namespace
 
 } // namespace common_points
