@@ -257,7 +257,7 @@ contains
         end if
         params = transpose(params_c)
         points = transpose(points_c)
-        ranges = transpose(ranges_c)
+        ranges = reshape(ranges_c, [size(ranges_c, 3), size(ranges_c, 1), size(ranges_c, 2)], order=[2, 3, 1])
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine common_points
