@@ -1867,16 +1867,17 @@ contains
         end block
         call begin('surface_project_curve')
         block
-            type(nurbs_spline) :: sphere
+            type(nurbs_spline) :: wall
             type(nurbs_meet) :: found
-            call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call found%projection(g=sphere, curve=twist, direction=[0.0d0, 1.0d0, 1.0d0], tolerance=0.001d0)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%projection(g=wall, curve=twist, direction=[1.0d0, 0.2d0, 0.1d0], tolerance=0.01d0)
             call show('out', found)
         end block
         call begin('face_project_curve')
         block
             type(nurbs_meet) :: found
-            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.001d0)
+            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.1d0)
             call show('out', found)
         end block
         call begin('model_sections')
@@ -2754,19 +2755,19 @@ contains
         end block
         call begin('surface_project_curve_with')
         block
-            type(nurbs_spline) :: sphere
+            type(nurbs_spline) :: wall
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
-            call create_sphere(out=sphere, radius=1.0d0, form=0)
-            call found%projection(g=sphere, curve=twist, direction=[0.0d0, 1.0d0, 1.0d0], tolerance=0.001d0, &
-                call=watching)
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%projection(g=wall, curve=twist, direction=[1.0d0, 0.2d0, 0.1d0], tolerance=0.01d0, call=watching)
             call show('out', found)
         end block
         call begin('face_project_curve_with')
         block
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
-            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.001d0, &
+            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.1d0, &
                 call=watching)
             call show('out', found)
         end block

@@ -1579,19 +1579,20 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_project_curve");
     {
-        let sphere = Spline::sphere(
-            nurbs::Placement {
-                ..Default::default()
-            },
-            1.0,
-            0,
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
         )?;
-        let found = Meet::projection(&sphere, &given.twist, &[0.0, 1.0, 1.0], 0.001)?;
+        let found = Meet::projection(&wall, &given.twist, &[1.0, 0.2, 0.1], 0.01)?;
         show("out", &found);
     }
     begin("face_project_curve");
     {
-        let found = Meet::face_projection(&given.face, &given.twist, &[0.0, 0.0, 1.0], 0.001)?;
+        let found = Meet::face_projection(&given.face, &given.twist, &[0.0, 0.0, 1.0], 0.1)?;
         show("out", &found);
     }
     begin("model_sections");
@@ -2424,18 +2425,19 @@ fn data(given: &Given) -> nurbs::Result<()> {
     }
     begin("surface_project_curve_with");
     {
-        let sphere = Spline::sphere(
-            nurbs::Placement {
-                ..Default::default()
-            },
-            1.0,
-            0,
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
         )?;
         let found = Meet::projection_with(
-            &sphere,
+            &wall,
             &given.twist,
-            &[0.0, 1.0, 1.0],
-            0.001,
+            &[1.0, 0.2, 0.1],
+            0.01,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);
@@ -2446,7 +2448,7 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &given.face,
             &given.twist,
             &[0.0, 0.0, 1.0],
-            0.001,
+            0.1,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

@@ -999,17 +999,17 @@ const Call group[] = {
      }},
     {"surface_project_curve",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_sphere(in, make_sphere);
-         if (made_sphere.status() != NURBS_OK) {
-             return made_sphere.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
-         static constexpr double direction[] = {0, 1, 1};
-         return nurbs_surface_project_curve(made_sphere, in.twist, direction, 0.001, &o.meet);
+         static constexpr double direction[] = {1, 0.2, 0.1};
+         return nurbs_surface_project_curve(made_wall, in.twist, direction, 0.01, &o.meet);
      }},
     {"face_project_curve",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double direction[] = {0, 0, 1};
-         return nurbs_face_project_curve(in.face, in.twist, direction, 0.001, &o.meet);
+         return nurbs_face_project_curve(in.face, in.twist, direction, 0.1, &o.meet);
      }},
     {"model_sections",
      [](const Inputs &in, Output &o) -> nurbs_status {
@@ -1818,21 +1818,21 @@ const Call group[] = {
      }},
     {"surface_project_curve_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
-         Made made_sphere(in, make_sphere);
-         if (made_sphere.status() != NURBS_OK) {
-             return made_sphere.status();
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
          }
-         static constexpr double direction[] = {0, 1, 1};
+         static constexpr double direction[] = {1, 0.2, 0.1};
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_surface_project_curve_with(made_sphere, in.twist, direction, 0.001, &call, &o.meet);
+         return nurbs_surface_project_curve_with(made_wall, in.twist, direction, 0.01, &call, &o.meet);
      }},
     {"face_project_curve_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double direction[] = {0, 0, 1};
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
-         return nurbs_face_project_curve_with(in.face, in.twist, direction, 0.001, &call, &o.meet);
+         return nurbs_face_project_curve_with(in.face, in.twist, direction, 0.1, &call, &o.meet);
      }},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
