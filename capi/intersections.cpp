@@ -6,6 +6,7 @@
 #include "outputs.h"
 
 #include "base/tolerance.h"
+#include "intersect/common/common_points.h"
 #include "intersect/curve_level.h"
 #include "intersect/curve_surface/curve_surface.h"
 #include "intersect/pairs/curve_curve.h"
@@ -109,6 +110,36 @@ void put_hits(const intersect::SurfaceHits &hits, int64_t cap, const SurfaceArra
     put(out.complete, int32_t{hits.complete});
 }
 
+struct TripleArrays {
+    double *params, *points;
+    int32_t *kinds;
+    double *ranges;
+    int64_t *count;
+    int32_t *complete;
+};
+
+void put_points(const intersect::CommonPoints &found, int64_t cap, const TripleArrays &out) {
+    const int64_t filled = checked_cap(cap, std::ssize(found.list));
+    check_apart({memory("params", out.params, 6 * filled), memory("points", out.points, 3 * filled),
+                 memory("kinds", out.kinds, filled), memory("ranges", out.ranges, 12 * filled),
+                 memory("count", out.count, 1), memory("complete", out.complete, 1)},
+                {});
+    for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+        const intersect::CommonPoint &x = found.list[i];
+        put(out.kinds, i, static_cast<int32_t>(x.kind));
+        for (size_t k = 0; k < 6; ++k) {
+            put(out.params, 6 * i + k, x.at[k]);
+            put(out.ranges, 12 * i + 2 * k, x.range[k].lower);
+            put(out.ranges, 12 * i + 2 * k + 1, x.range[k].upper);
+        }
+        for (size_t c = 0; c < 3; ++c) {
+            put(out.points, 3 * i + c, x.point[c]);
+        }
+    }
+    put(out.count, int64_t{std::ssize(found.list)});
+    put(out.complete, int32_t{found.complete()});
+}
+
 } // namespace
 
 nurbs_status nurbs_roots(const nurbs *g, double value, double tolerance, int64_t cap, double *params,
@@ -182,5 +213,21 @@ nurbs_status nurbs_curve_surface_intersections(const nurbs *curve, const nurbs *
         check_length(cap, "cap");
         put_hits(intersect::curve_surface(first, second, tolerance), cap,
                  {params_curve, params_surface, kinds, ranges_curve, ranges_surface, count, complete});
+    });
+}
+
+nurbs_status nurbs_surfaces_common_points(const nurbs *a, const nurbs *b, const nurbs *c, double tolerance,
+                                          int64_t cap, double *params, double *points, int32_t *kinds,
+                                          double *ranges, int64_t *count, int32_t *complete) {
+    return guard([&] {
+        const std::array<const Spline *, 3> surfaces{&named(a, "a"), &named(b, "b"), &named(c, "c")};
+        for (size_t s = 0; s < 3; ++s) {
+            check_kind(*surfaces[s], 2, std::array{"a", "b", "c"}[s]);
+            check_dimension(*surfaces[s], 3, 3);
+        }
+        check_tolerance(tolerance);
+        check_length(cap, "cap");
+        put_points(intersect::common_points(surfaces, tolerance), cap,
+                   {params, points, kinds, ranges, count, complete});
     });
 }

@@ -235,6 +235,16 @@ nurbs_status nurbs_curve_surface_intersections_with(const nurbs *curve, const nu
     });
 }
 
+nurbs_status nurbs_surfaces_common_points_with(const nurbs *a, const nurbs *b, const nurbs *c,
+                                               double tolerance, int64_t cap, double *params, double *points,
+                                               int32_t *kinds, double *ranges, int64_t *count,
+                                               int32_t *complete, const nurbs_call_options *call) {
+    return watched(call, [&] {
+        return nurbs_surfaces_common_points(a, b, c, tolerance, cap, params, points, kinds, ranges, count,
+                                            complete);
+    });
+}
+
 nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, double tolerance, int64_t cap,
                                                  double *params_a, double *params_b, int32_t *kinds,
                                                  double *ranges_a, double *ranges_b, int64_t *count,

@@ -5603,6 +5603,47 @@ NURBS_API nurbs_status nurbs_curve_surface_intersections_with(
     double *params_surface, int32_t *kinds, double *ranges_curve, double *ranges_surface, int64_t *count,
     int32_t *complete, const nurbs_call_options *call);
 
+/** \brief The points that three surfaces have in common: all of them, proven to be all. Triples of parts of Bezier pieces are halved
+ * until their boxes have no common part, or a row of M F is nowhere 0, or the largest row sum of |I - M F'| is below 1, with
+ * F = (A(u, v) - B(s, t), A(u, v) - C(p, q)) and M the inverse of its derivative: then there is one common point in them at
+ * most, and Krawczyk's operator tells where. So a point in which the planes of tangents have no common direction is proven to
+ * be one, to rounding where it is on a border or on a knot at which a surface has a kink. UNDECIDED is a part in which it is
+ * left open what there is: the planes of tangents have a common direction, or all but have one, as where the three have a
+ * curve or a region in common, which is told in parts that hang together on a; a derivative vanishes, as at poles; or the limit of
+ * work came first. Costs: some 10 microseconds for each triple of pieces that come together, and more where they run along
+ * each other.
+ * \param[in] a,b,c surfaces of dimension 3.
+ * \param[in] tolerance the size in space, >= 0, of parts that need not be told apart; 0: what double precision tells.
+ * \param[in] cap length of the outputs: 0, or at least the number of points.
+ * \param[out] params [cap][6] or NULL: both parameters of a, then of b, then of c, by rising ones of a; of UNDECIDED parts
+ *   the middle.
+ * \param[out] points [cap][3] or NULL: the points, as evaluated on a.
+ * \param[out] kinds [cap] or NULL: NURBS_HIT_CROSSING or NURBS_HIT_UNDECIDED each.
+ * \param[out] ranges [cap][6][2] or NULL: of these parameters, lower and upper end of each; there are no common points
+ *   outside of them, and those of a crossing hold just one. What is on a seam is told on one side of it. Those of
+ *   a part on both sides of a seam run beyond the upper end of the domain.
+ * \param[out] count or NULL: number of points.
+ * \param[out] complete or NULL: 1 if none is UNDECIDED, else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
+ *   _SIZE if cap is neither 0 nor enough.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surfaces_common_points(const nurbs *a, const nurbs *b, const nurbs *c,
+                                                    double tolerance, int64_t cap, double *params,
+                                                    double *points, int32_t *kinds, double *ranges,
+                                                    int64_t *count, int32_t *complete);
+
+/** \brief nurbs_surfaces_common_points() as a call that can be watched and ended.
+ * \param[in] a,b,c,tolerance,cap as for nurbs_surfaces_common_points().
+ * \param[out] params,points,kinds,ranges,count,complete as for nurbs_surfaces_common_points().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \return as for nurbs_surfaces_common_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surfaces_common_points_with(const nurbs *a, const nurbs *b, const nurbs *c,
+                                                         double tolerance, int64_t cap, double *params,
+                                                         double *points, int32_t *kinds, double *ranges,
+                                                         int64_t *count, int32_t *complete,
+                                                         const nurbs_call_options *call);
+
 /** \name Status of a ray
  * @{ */
 #define NURBS_RAY_HIT 0x01       /**< the ray meets the surface there, if rounding is allowed for */
@@ -5678,6 +5719,8 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
 #define NURBS_NODE_UNDECIDED 4 /**< a part in which it is left open what there is */
 #define NURBS_NODE_EDGE                                                                                      \
     5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
+#define NURBS_NODE_FOLD                                                                                      \
+    6 /**< the surface folds as seen along the direction of a projection: another sheet goes on */
 /** @} */
 
 /** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
@@ -5935,6 +5978,66 @@ NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const 
                                                      double tolerance, const nurbs_call_options *call,
                                                      nurbs_meet **out);
 
+/** \brief A curve projected onto a surface along a direction: all curves in which the lines C(t) + h d / |d| meet the surface,
+ * proven to be all. They are the common curves of the surface and of the ruled surface (t, h) -> C(t) + h d / |d| of these
+ * lines, whose control points are those of C, each rounded once, for all h that lead into the box of the surface; they are
+ * found as nurbs_surface_intersections() does, on both sides of C and on all sheets of the surface. Along each branch t
+ * rises: nurbs_meet_branch_second() gives the curve of (t, h), whose first coordinate at its ends is the range of t that is
+ * projected, and whose second one is the signed distance from C along d. Branches close, or end in nodes
+ * - BORDER: the curve, or the surface, ends or jumps there.
+ * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
+ * - FOLD: t turns there, since d is in the tangent plane of the surface: the branch goes on in another one, on the sheet of
+ *   the surface behind the fold, which ends there as well or begins there. Turns of t along no more of the curve, across
+ *   d, than 4 deviations of the branch are none.
+ * - UNDECIDED: where it is left open what there is: the surface touches the lines along a curve, or holds one of them; a
+ *   derivative vanishes; or the limit of work came first.
+ *
+ * Outside of these the branches are all there is, to within their deviations. Where the curve runs along d they stay in a
+ * point, and knots are next to each other.
+ * \param[in] g a surface of dimension 3.
+ * \param[in] curve a curve of dimension 3.
+ * \param[in] direction [3]: d, of any length but 0; what is projected against it has h < 0.
+ * \param[in] tolerance > 0: the largest distance of the curves from the projection.
+ * \param[out] out the new meet; all of it has level 0. nurbs_meet_branch() gives curves in space and in the domain of g.
+ *   Deviations bound the distance of each of them, and of the lines over (t, h), from the common curves, so that at equal
+ *   parameters the surface is within two of them of C(t) + h d / |d|.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DIRECTION, _TOLERANCE; _NOT_REPRESENTABLE if lines to the box of
+ *   the surface overflow, or weights cannot be shown to be positive.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve,
+                                                   const double *direction, double tolerance,
+                                                   nurbs_meet **out);
+
+/** \brief nurbs_surface_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] g,curve,direction,tolerance as for nurbs_surface_project_curve().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_project_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nurbs *curve,
+                                                        const double *direction, double tolerance,
+                                                        const nurbs_call_options *call, nurbs_meet **out);
+
+/** \brief A curve projected onto a face along a direction: what of nurbs_surface_project_curve() on its surface is inside of its
+ * loops, trimmed as by nurbs_meet_trim(): where branches leave the face they end in nodes BORDER.
+ * \param[in] face a face.
+ * \param[in] curve,direction,tolerance as for nurbs_surface_project_curve().
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_project_curve().
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve,
+                                                const double *direction, double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_face_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] face,curve,direction,tolerance as for nurbs_face_project_curve().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_face_project_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_project_curve_with(const nurbs_face *face, const nurbs *curve,
+                                                     const double *direction, double tolerance,
+                                                     const nurbs_call_options *call, nurbs_meet **out);
+
 /** \brief Another handle on the same meet, in constant time.
  * \param[in] meet a meet.
  * \param[out] out the new handle.
@@ -6005,8 +6108,8 @@ NURBS_API nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int
 NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space,
                                          nurbs **on_surface);
 
-/** \brief The curve of a branch on the second of two surfaces.
- * \param[in] meet of nurbs_surface_intersections().
+/** \brief The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
+ * \param[in] meet of nurbs_surface_intersections(), nurbs_surface_project_curve() or nurbs_face_project_curve().
  * \param[in] index 0-based.
  * \param[out] on_second the curve in the parameter domain of the second surface, with the knots of those of
  *   nurbs_meet_branch(). Its control points are in the domain; on a periodic axis it may run into neighbouring periods.
@@ -6028,8 +6131,8 @@ NURBS_API nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t 
 NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
                                         double *params, double *ranges, int64_t *count);
 
-/** \brief Where the nodes of a meet are on the second of two surfaces.
- * \param[in] meet of nurbs_surface_intersections().
+/** \brief Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
+ * \param[in] meet of nurbs_surface_intersections(), nurbs_surface_project_curve() or nurbs_face_project_curve().
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
  * \param[out] params [cap][2] or NULL: parameters of the second surface, in its domain; of a part its middle.
  * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis.

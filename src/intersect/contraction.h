@@ -57,10 +57,10 @@ struct Contraction {
 };
 
 // Newton's method from the middle, and the steps M F where it does not come nearer, until rounding stops them or they
-// would leave [0, 1]^N. fixed(z): M F(z); newton(): the step of Newton's method where fixed() was last. What both know is
+// would leave [0, 1]^N, or what is so much larger on all sides. fixed(z): M F(z); newton(): the step of Newton's method where fixed() was last. What both know is
 // that of the place that is returned.
 template <size_t N, class Fixed, class Newton>
-Place<N> approached(Fixed &&fixed, Newton &&newton) {
+Place<N> approached(Fixed &&fixed, Newton &&newton, double room = 0) {
     constexpr int most_steps = 40;
     Place<N> z{};
     z.fill(0.5);
@@ -74,7 +74,7 @@ Place<N> approached(Fixed &&fixed, Newton &&newton) {
         const Place<N> step = size < 0.5 * last ? newton() : slow;
         Place<N> next = z;
         for (size_t k = 0; k < N; ++k) {
-            next[k] = std::clamp(z[k] - step[k], 0.0, 1.0);
+            next[k] = std::clamp(z[k] - step[k], -room, 1 + room);
         }
         if (next == z) {
             return z;

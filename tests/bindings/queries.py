@@ -322,6 +322,26 @@ class Sections(unittest.TestCase):
         near(both.branch(0).space.length().value, 1, by=1e-8)
         self.assertEqual(both.kinds.tolist(), [nurbs.NURBS_BRANCH_CROSSING])
 
+    def test_of_three_surfaces(self):
+        ball, side = nurbs.sphere(1), nurbs.plane([0, 4, 0], [0, 0, 4], [0.48, -2, -2])
+        found = ball.common_points(side, nurbs.plane([4, 0, 0], [0, 4, 0], [-2, -2, 0.64]), work=10**9)
+        self.assertEqual((found.complete, found.kinds.tolist()), (True, [nurbs.NURBS_HIT_CROSSING] * 2))
+        near(sorted(found.points.tolist()), [[0.48, -0.6, 0.64], [0.48, 0.6, 0.64]])
+        near(side(found.params[:, 1]), found.points)
+
+    def test_projections(self):
+        ball, line = nurbs.sphere(1, axis=[0, 1, 0]), nurbs.line([-2, 0.28, 3], [2, 0.28, 3])
+        meet = ball.project_curve(line, [0, 0, -2], 1e-9, work=10**9)
+        self.assertEqual((meet.counts.complete, int((meet.nodes.kinds == nurbs.NURBS_NODE_FOLD).sum())), (True, 4))
+        folds = meet.nodes_second.params[meet.nodes.kinds == nurbs.NURBS_NODE_FOLD]
+        near(abs(4 * folds[:, 0] - 2), [0.96] * 4, by=1e-7)
+        lines = meet.branch_second(0)
+        (t, h), space = lines(lines.domain[0][0]), meet.branch(0).space
+        near(space(space.domain[0][0]), line(t) + [0, 0, -h], by=1e-8)
+        face = nurbs.Face.create(nurbs.plane([1, 0, 0], [0, 1, 0]), [1], [nurbs.circle(0.25, center=[0.5, 0.5])])
+        inside = face.project_curve(nurbs.line([-1, 0.5, 3], [1, 0.5, 3]), [0, 0, 1], 1e-9)
+        near(sorted(inside.nodes_second.params[:, 0]), [0.625, 0.875], by=1e-9)
+
     def test_contours(self):
         ball = nurbs.sphere(2)
         self.assertEqual(ball.contours(nurbs.NURBS_CONTOUR_SILHOUETTE, [0, 0, 1], tolerance=1e-6).counts.branches, 1)

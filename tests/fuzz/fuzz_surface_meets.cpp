@@ -161,6 +161,72 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
     }
 }
 
+// Parameters are in the domains, and in the ranges but for periods; a crossing is told as one.
+void meet_three(const std::array<const nurbs *, 3> &surfaces, double tolerance,
+                const nurbs_call_options &call, bool plain) {
+    std::vector<double> params(6 * most), points(3 * most), ranges(12 * most);
+    std::vector<int32_t> kinds(most);
+    int64_t count = 0;
+    int32_t complete = -1;
+    const auto &[a, b, c] = surfaces;
+    if (!(plain ? FUZZ_OK(nurbs_surfaces_common_points(a, b, c, tolerance, most, params.data(), points.data(),
+                                                       kinds.data(), ranges.data(), &count, &complete))
+                : FUZZ_OK(nurbs_surfaces_common_points_with(a, b, c, tolerance, most, params.data(),
+                                                            points.data(), kinds.data(), ranges.data(),
+                                                            &count, &complete, &call)))) {
+        return;
+    }
+    FUZZ_REQUIRE(complete ==
+                 (std::count(kinds.begin(), kinds.begin() + count, NURBS_HIT_UNDECIDED) == 0 ? 1 : 0));
+    for (size_t i = 0; i < 6 * static_cast<size_t>(count); ++i) {
+        double domain[2];
+        FUZZ_REQUIRE(nurbs_domain(surfaces[i % 6 / 2], static_cast<int32_t>(i % 2), domain) == NURBS_OK);
+        FUZZ_REQUIRE(params[i] >= domain[0] && params[i] <= domain[1]);
+        FUZZ_REQUIRE(ranges[2 * i] <= ranges[2 * i + 1] && ranges[2 * i] >= domain[0]);
+    }
+}
+
+// Along curves that are projected t rises.
+void look_at_projection(const nurbs_meet *found) {
+    look_at(found);
+    int64_t branches = 0;
+    FUZZ_REQUIRE(nurbs_meet_counts(found, &branches, nullptr, nullptr) == NURBS_OK);
+    for (int64_t i = 0; i < std::min<int64_t>(branches, 16); ++i) {
+        nurbs *lines = nullptr;
+        double domain[2], ends[4];
+        FUZZ_REQUIRE(nurbs_meet_branch_second(found, i, &lines) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_domain(lines, 0, domain) == NURBS_OK);
+        FUZZ_REQUIRE(nurbs_eval(lines, 2, domain, 0, 0, ends, 0, 0, 0) == NURBS_OK);
+        FUZZ_REQUIRE(ends[0] <= ends[2]);
+        nurbs_destroy(lines);
+    }
+}
+
+// Onto a surface, and onto all of it as a face.
+void project(const nurbs *curve, const nurbs *surface, const double *direction, double tolerance,
+             const nurbs_call_options &call, bool plain) {
+    nurbs_meet *found = nullptr;
+    if (plain ? FUZZ_OK(nurbs_surface_project_curve(surface, curve, direction, tolerance, &found))
+              : FUZZ_OK(
+                    nurbs_surface_project_curve_with(surface, curve, direction, tolerance, &call, &found))) {
+        look_at_projection(found);
+        nurbs_meet_destroy(found);
+    } else {
+        FUZZ_REQUIRE(found == nullptr);
+    }
+    nurbs_face *face = nullptr;
+    if (!FUZZ_OK(
+            nurbs_face_create(surface, 0, nullptr, nullptr, nullptr, nullptr, 1e-6, 0, nullptr, &face))) {
+        return;
+    }
+    if (plain ? FUZZ_OK(nurbs_face_project_curve(face, curve, direction, tolerance, &found))
+              : FUZZ_OK(nurbs_face_project_curve_with(face, curve, direction, tolerance, &call, &found))) {
+        look_at_projection(found);
+        nurbs_meet_destroy(found);
+    }
+    nurbs_face_destroy(face);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -186,6 +252,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         meet_surfaces(surface.get(), second.get(), tolerance, 200000);
         meet_surfaces(surface.get(), surface.get(), tolerance, in.below(20000) + 1);
     }
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = 50000;
+    if (second) {
+        const fuzz::Handle third(fuzz::create(in_space(in, 2)));
+        meet_three({surface.get(), second.get(), third ? third.get() : surface.get()}, tolerance, call,
+                   in.rarely());
+    }
+    const double direction[] = {in.number(), in.number(), in.coin() ? 1 : in.number()};
+    project(curve.get(), surface.get(), direction, tolerance, call, in.rarely());
     nurbs *side = nullptr;
     double domain[2];
     if (FUZZ_OK(nurbs_domain(surface.get(), 0, domain)) &&

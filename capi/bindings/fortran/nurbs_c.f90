@@ -3010,6 +3010,31 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_surface_intersections_with
+        !> The points that three surfaces have in common: all of them, proven to be all.
+        function nurbs_surfaces_common_points(a, b, c, tolerance, cap, params, points, kinds, ranges, count, &
+                complete) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b, c
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            integer(c_int32_t) :: r
+        end function nurbs_surfaces_common_points
+        !> nurbs_surfaces_common_points() as a call that can be watched and ended.
+        function nurbs_surfaces_common_points_with(a, b, c, tolerance, cap, params, points, kinds, ranges, &
+                count, complete, call) bind(c) result(r)
+            import
+            type(c_ptr), value :: a, b, c
+            real(c_double), value :: tolerance
+            integer(c_int64_t), value :: cap
+            real(c_double), intent(inout), optional :: params(*), points(*), ranges(*)
+            integer(c_int32_t), intent(inout), optional :: kinds(*), complete
+            integer(c_int64_t), intent(inout), optional :: count
+            type(nurbs_call_options), intent(in), optional :: call
+            integer(c_int32_t) :: r
+        end function nurbs_surfaces_common_points_with
         !> Where rays x = origin + t direction, t >= 0, meet a surface first.
         function nurbs_surface_rays(g, n, origins, origin_stride, origin_component_stride, directions, &
                 direction_stride, direction_component_stride, params, distances, status) bind(c) result(r)
@@ -3209,6 +3234,49 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_intersections_with
+        !> A curve projected onto a surface along a direction: all curves in which the lines C(t) + h d / |d|
+        !> meet the surface, proven to be all.
+        function nurbs_surface_project_curve(g, curve, direction, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_project_curve
+        !> nurbs_surface_project_curve() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_surface_project_curve_with(g, curve, direction, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_project_curve_with
+        !> A curve projected onto a face along a direction: what of nurbs_surface_project_curve() on its
+        !> surface is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face they
+        !> end in nodes BORDER.
+        function nurbs_face_project_curve(face, curve, direction, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_project_curve
+        !> nurbs_face_project_curve() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_face_project_curve_with(face, curve, direction, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face, curve
+            real(c_double), intent(in) :: direction(*)
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_project_curve_with
         !> Another handle on the same meet, in constant time.
         function nurbs_meet_clone(meet, out) bind(c) result(r)
             import
@@ -3255,7 +3323,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: space, on_surface
             integer(c_int32_t) :: r
         end function nurbs_meet_branch
-        !> The curve of a branch on the second of two surfaces.
+        !> The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
         function nurbs_meet_branch_second(meet, index, on_second) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3273,7 +3341,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), ranges(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes
-        !> Where the nodes of a meet are on the second of two surfaces.
+        !> Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
         function nurbs_meet_nodes_second(meet, cap, params, ranges, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet

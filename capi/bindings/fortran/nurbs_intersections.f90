@@ -5,15 +5,16 @@ module nurbs_intersections
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_roots, nurbs_curve_level, nurbs_curve_intersections, nurbs_curve_self_intersections, &
-        nurbs_curve_surface_intersections, nurbs_surface_rays, nurbs_surface_ray_hits, nurbs_roots_with, &
-        nurbs_curve_level_with, nurbs_curve_intersections_with, nurbs_curve_self_intersections_with, &
-        nurbs_curve_surface_intersections_with, nurbs_surface_rays_with
+        nurbs_curve_surface_intersections, nurbs_surfaces_common_points, nurbs_surface_rays, nurbs_surface_ray_hits, &
+        nurbs_roots_with, nurbs_curve_level_with, nurbs_curve_intersections_with, nurbs_curve_self_intersections_with, &
+        nurbs_curve_surface_intersections_with, nurbs_surfaces_common_points_with, nurbs_surface_rays_with
     use nurbs_support
     use nurbs_calls
     use nurbs_splines
     implicit none
     private
-    public :: roots, curve_level, curve_intersections, self_intersections, surface_intersections, rays, ray_hits
+    public :: roots, curve_level, curve_intersections, self_intersections, surface_intersections, common_points, rays
+    public :: ray_hits
 
 contains
 
@@ -221,6 +222,45 @@ contains
         if (present(complete)) complete = answer /= 0
         call settle(code, status)
     end subroutine surface_intersections
+
+    !> The points that three surfaces have in common, with proof that there are no others.
+    subroutine common_points(a, b, c, params, points, kinds, ranges, complete, tolerance, status, call)
+        class(nurbs_spline), intent(in) :: a, b, c
+        real(c_double), allocatable, intent(inout) :: params(:, :), points(:, :), ranges(:, :, :)
+        integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
+        logical, intent(inout), optional :: complete
+        real(c_double), intent(in), optional :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code, answer
+        integer(c_int64_t) :: n
+        real(c_double), allocatable :: params_c(:, :), points_c(:, :), ranges_c(:, :, :)
+        n = 0
+        answer = 0
+        if (present(call)) then
+            code = nurbs_surfaces_common_points_with(a%handle, b%handle, c%handle, given(tolerance, 0d0), 0_c_int64_t, &
+                count=n, call=watched(call))
+        else
+            code = nurbs_surfaces_common_points(a%handle, b%handle, c%handle, given(tolerance, 0d0), 0_c_int64_t, &
+                count=n)
+        end if
+        if (allocated(kinds)) deallocate (kinds)
+        allocate (params_c(6, n), points_c(3, n), kinds(n), ranges_c(2, 6, n))
+        if (code == NURBS_OK) then
+            if (present(call)) then
+                code = nurbs_surfaces_common_points_with(a%handle, b%handle, c%handle, given(tolerance, 0d0), n, &
+                    params_c, points_c, kinds, ranges_c, complete=answer, call=watched(call))
+            else
+                code = nurbs_surfaces_common_points(a%handle, b%handle, c%handle, given(tolerance, 0d0), n, params_c, &
+                    points_c, kinds, ranges_c, complete=answer)
+            end if
+        end if
+        params = transpose(params_c)
+        points = transpose(points_c)
+        ranges = reshape(ranges_c, [size(ranges_c, 3), size(ranges_c, 1), size(ranges_c, 2)], order=[2, 3, 1])
+        if (present(complete)) complete = answer /= 0
+        call settle(code, status)
+    end subroutine common_points
 
     !> Where rays meet a surface first, with proof.
     subroutine rays(g, origins, directions, params, distances, states, status, call)

@@ -6,14 +6,15 @@ module nurbs_meets
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
-        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_face_intersections, nurbs_meet_counts, &
-        nurbs_meet_branches, nurbs_meet_kinds, nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, &
-        nurbs_meet_nodes_second, nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_faces_second, nurbs_meet_joints, &
-        nurbs_meet_joints_second, nurbs_model_sections, nurbs_model_intersections, nurbs_meet_trim, &
-        nurbs_meet_trim_second, nurbs_surface_sections_with, nurbs_surface_contours_with, &
-        nurbs_surface_reflections_with, nurbs_surface_level_with, nurbs_surface_level_curves_with, &
-        nurbs_surface_intersections_with, nurbs_face_intersections_with, nurbs_model_sections_with, &
-        nurbs_model_intersections_with, nurbs_meet_trim_with, nurbs_meet_trim_second_with
+        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_face_intersections, &
+        nurbs_surface_project_curve, nurbs_face_project_curve, nurbs_meet_counts, nurbs_meet_branches, &
+        nurbs_meet_kinds, nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, nurbs_meet_nodes_second, &
+        nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_faces_second, nurbs_meet_joints, nurbs_meet_joints_second, &
+        nurbs_model_sections, nurbs_model_intersections, nurbs_meet_trim, nurbs_meet_trim_second, &
+        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
+        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_surface_intersections_with, &
+        nurbs_face_intersections_with, nurbs_surface_project_curve_with, nurbs_face_project_curve_with, &
+        nurbs_model_sections_with, nurbs_model_intersections_with, nurbs_meet_trim_with, nurbs_meet_trim_second_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -26,9 +27,9 @@ module nurbs_meets
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, reflections, level, level_curves, surfaces, of_faces, counts, branches, kinds
-        procedure :: branch, branch_second, nodes, nodes_second, ways, faces, faces_second, joints, joints_second
-        procedure :: model_sections, of_models, trimmed, trimmed_second
+        procedure :: sections, contours, reflections, level, level_curves, surfaces, of_faces, projection
+        procedure :: face_projection, counts, branches, kinds, branch, branch_second, nodes, nodes_second, ways, faces
+        procedure :: faces_second, joints, joints_second, model_sections, of_models, trimmed, trimmed_second
     end type nurbs_meet
 
 contains
@@ -181,6 +182,43 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine of_faces
+
+    !> A curve projected onto a surface along a direction: all curves on it, proven to be all.
+    subroutine projection(this, g, curve, direction, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g, curve
+        real(c_double), intent(in) :: direction(3), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_surface_project_curve_with(g%handle, curve%handle, direction, tolerance, watched(call), made)
+        else
+            code = nurbs_surface_project_curve(g%handle, curve%handle, direction, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine projection
+
+    !> A curve projected onto a face along a direction: all curves inside of its loops.
+    subroutine face_projection(this, face, curve, direction, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_face), intent(in) :: face
+        class(nurbs_spline), intent(in) :: curve
+        real(c_double), intent(in) :: direction(3), tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_face_project_curve_with(face%handle, curve%handle, direction, tolerance, watched(call), made)
+        else
+            code = nurbs_face_project_curve(face%handle, curve%handle, direction, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine face_projection
 
     !> How much it holds.
     subroutine counts(this, branches, nodes, complete, status)

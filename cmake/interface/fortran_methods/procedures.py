@@ -288,12 +288,20 @@ class Procedure:
         if output.part:
             return f"{text}({output.part[0] + 1}:{output.part[1]})"
         if self.words.is_transposed(value):
-            text = f"transpose({text})"
+            text = rows_of(text, len(value.extents))
         if self.words.is_narrow(value):
             text = f"int({text})"
         if self.words.is_index(value):
             text += " + 1"
         return f"{text} /= 0" if value.truth else text
+
+
+def rows_of(text, rank):
+    """An array as it is stored, with its last index first."""
+    if rank == 2:
+        return f"transpose({text})"
+    sizes = [f"size({text}, {k})" for k in (rank, *range(1, rank))]
+    return f"reshape({text}, [{', '.join(sizes)}], order=[{', '.join(map(str, (*range(2, rank + 1), 1)))}])"
 
 
 def procedures(method, owner, words):

@@ -270,6 +270,59 @@ inline Returned<SurfaceHits> surface_intersections(const Spline &curve, const Sp
     return found;
 }
 
+/// Parameters on three surfaces, [n][3][2], rising on the first one, the points, one hit_ constant each, and
+/// ranges of parameters, [n][3][2][2].
+struct CommonPoints {
+    std::vector<double> params;      ///< [n][3][2] on the three surfaces.
+    std::vector<double> points;      ///< [n][3].
+    std::vector<std::int32_t> kinds; ///< hit_crossing or hit_undecided each.
+    /// Of parameters, [n][6] of lower and upper ends, outside of which there are no common points.
+    std::vector<double> ranges;
+    bool complete; ///< Whether none of them is undecided.
+};
+
+/// The points that three surfaces have in common, with proof that there are no others.
+inline Returned<CommonPoints> common_points(const Spline &a, const Spline &b, const Spline &c,
+                                            double tolerance = 0) {
+    CommonPoints found{};
+    std::int32_t complete = 0;
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_surfaces_common_points, a.get(), b.get(), c.get(), tolerance, cap,
+                     found.params.data(), found.points.data(), found.kinds.data(), found.ranges.data(),
+                     &count, &complete);
+    };
+    ask(0);
+    found.params = detail::room(count, 6);
+    found.points = detail::room(count, 3);
+    found.kinds = detail::room<std::int32_t>(count);
+    found.ranges = detail::room(count, 6, 2);
+    ask(count);
+    found.complete = complete != 0;
+    return found;
+}
+/// The same; `call` can watch and end it.
+inline Returned<CommonPoints> common_points(const Spline &a, const Spline &b, const Spline &c,
+                                            double tolerance, const CallOptions &call) {
+    CommonPoints found{};
+    const detail::Watch watch(call);
+    std::int32_t complete = 0;
+    std::int64_t count = 0;
+    const auto ask = [&](std::int64_t cap) {
+        detail::call(nurbs_surfaces_common_points_with, a.get(), b.get(), c.get(), tolerance, cap,
+                     found.params.data(), found.points.data(), found.kinds.data(), found.ranges.data(),
+                     &count, &complete, watch.get());
+    };
+    ask(0);
+    found.params = detail::room(count, 6);
+    found.points = detail::room(count, 3);
+    found.kinds = detail::room<std::int32_t>(count);
+    found.ranges = detail::room(count, 6, 2);
+    ask(count);
+    found.complete = complete != 0;
+    return found;
+}
+
 /// Where rays meet a surface first, at origin + t direction.
 struct Rays {
     std::vector<double> params;       ///< [n][2] on the surface, NaN without a hit or touch.

@@ -24,6 +24,7 @@ inline constexpr std::int32_t node_seam = NURBS_NODE_SEAM;
 inline constexpr std::int32_t node_touch = NURBS_NODE_TOUCH;
 inline constexpr std::int32_t node_undecided = NURBS_NODE_UNDECIDED;
 inline constexpr std::int32_t node_edge = NURBS_NODE_EDGE;
+inline constexpr std::int32_t node_fold = NURBS_NODE_FOLD;
 
 /// What a branch is.
 inline constexpr std::int32_t branch_crossing = NURBS_BRANCH_CROSSING;
@@ -203,6 +204,35 @@ public:
                                                  const CallOptions &call) {
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_face_intersections_with, a.get(), b.get(), tolerance, watch.get());
+    }
+    /// A curve projected onto a surface along a direction: all curves on it, proven to be all.
+    [[nodiscard]] static Returned<Meet> projection(const Spline &g, const Spline &curve,
+                                                   const std::array<double, 3> &direction, double tolerance) {
+        return detail::made<Meet>(nurbs_surface_project_curve, g.get(), curve.get(), direction.data(),
+                                  tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> projection(const Spline &g, const Spline &curve,
+                                                   const std::array<double, 3> &direction, double tolerance,
+                                                   const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_surface_project_curve_with, g.get(), curve.get(), direction.data(),
+                                  tolerance, watch.get());
+    }
+    /// A curve projected onto a face along a direction: all curves inside of its loops.
+    [[nodiscard]] static Returned<Meet> face_projection(const Face &face, const Spline &curve,
+                                                        const std::array<double, 3> &direction,
+                                                        double tolerance) {
+        return detail::made<Meet>(nurbs_face_project_curve, face.get(), curve.get(), direction.data(),
+                                  tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> face_projection(const Face &face, const Spline &curve,
+                                                        const std::array<double, 3> &direction,
+                                                        double tolerance, const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_face_project_curve_with, face.get(), curve.get(), direction.data(),
+                                  tolerance, watch.get());
     }
     /// How much it holds.
     [[nodiscard]] Returned<MeetCounts> counts() const {

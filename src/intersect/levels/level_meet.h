@@ -17,6 +17,7 @@ enum class NodeKind : int32_t {
     touch = 3, // a part that is near all over, in which branches are not told apart: a pole, a saddle, a peak
     undecided = 4, // it is left open what there is
     edge = 5,      // an edge or a vertex of a model, at which the branch of another face goes on
+    fold = 6,      // the surface folds as seen along a direction: the branch goes on in another sheet
 };
 
 // Where branches end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters of curves that may be periodic, and may jump.
+// Parameters of axes that may be periodic, and of curves that may jump.
 #pragma once
 
 #include "spline/spline.h"
@@ -11,22 +11,31 @@
 namespace nrb::intersect {
 
 // The length of a period; 0: there is none.
+inline double period_of(const KnotVector &axis) noexcept {
+    const Interval domain = axis.domain();
+    return axis.periodic() ? domain.upper - domain.lower : 0;
+}
 inline double period_of(const Spline &curve) noexcept {
-    const Interval domain = curve.axis(0).domain();
-    return curve.axis(0).periodic() ? domain.upper - domain.lower : 0;
+    return period_of(curve.axis(0));
 }
 
 // What brings a parameter, moved by periods, into the domain.
-inline double shift_of(const Spline &curve, double t) noexcept {
-    const Interval domain = curve.axis(0).domain();
-    const double period = period_of(curve);
+inline double shift_of(const KnotVector &axis, double t) noexcept {
+    const Interval domain = axis.domain();
+    const double period = period_of(axis);
     const bool outside = t < domain.lower || t > domain.upper;
     return period > 0 && outside ? -std::floor((t - domain.lower) / period) * period : 0;
 }
+inline double shift_of(const Spline &curve, double t) noexcept {
+    return shift_of(curve.axis(0), t);
+}
 
+inline double in_domain(const KnotVector &axis, double t) noexcept {
+    const Interval domain = axis.domain();
+    return std::clamp(t + shift_of(axis, t), domain.lower, domain.upper);
+}
 inline double in_domain(const Spline &curve, double t) noexcept {
-    const Interval domain = curve.axis(0).domain();
-    return std::clamp(t + shift_of(curve, t), domain.lower, domain.upper);
+    return in_domain(curve.axis(0), t);
 }
 
 inline Interval turned(Interval part, int turns, double period) noexcept {

@@ -938,6 +938,17 @@ void data(const Inputs &in) {
         show("kinds", found);
     }
     {
+        begin("surface_project_curve");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const auto found = n::Meet::projection(wall, in.twist, std::array<double, 3>{1.0, 0.2, 0.1}, 0.01);
+        show("out", found);
+    }
+    {
+        begin("face_project_curve");
+        const auto found = n::Meet::face_projection(in.face, in.twist, std::array<double, 3>{0.0, 0.0, 1.0}, 0.1);
+        show("out", found);
+    }
+    {
         begin("model_sections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -1527,6 +1538,17 @@ void data(const Inputs &in) {
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
         const n::Face upright = n::Face::create(wall, {}, {}, {}, {}, 0.001, 0u);
         const auto found = n::Meet::of_faces(in.face, upright, 0.1, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_project_curve_with");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        const auto found = n::Meet::projection(wall, in.twist, std::array<double, 3>{1.0, 0.2, 0.1}, 0.01, watched());
+        show("out", found);
+    }
+    {
+        begin("face_project_curve_with");
+        const auto found = n::Meet::face_projection(in.face, in.twist, std::array<double, 3>{0.0, 0.0, 1.0}, 0.1, watched());
         show("out", found);
     }
     {
@@ -2909,6 +2931,18 @@ void query(const Inputs &in) {
         show("complete", found.complete);
     }
     {
+        begin("surfaces_common_points");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::common_points(wall, in.surface, sphere, 0.001);
+        show("params", found.params);
+        show("points", found.points);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
+    }
+    {
         begin("curve_surface_intersections");
         n::Placement at;
         const n::Spline sphere = n::sphere(at, 1.0, 0);
@@ -3581,6 +3615,18 @@ void query(const Inputs &in) {
         show("params", found.params);
         show("distances", found.distances);
         show("status", found.status);
+    }
+    {
+        begin("surfaces_common_points_with");
+        const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
+        n::Placement at;
+        const n::Spline sphere = n::sphere(at, 1.0, 0);
+        const auto found = n::common_points(wall, in.surface, sphere, 0.001, watched());
+        show("params", found.params);
+        show("points", found.points);
+        show("kinds", found.kinds);
+        show("ranges", found.ranges);
+        show("complete", found.complete);
     }
     {
         begin("curve_surface_intersections_with");

@@ -1882,6 +1882,21 @@ contains
             call meet%kinds(kinds=kinds_found)
             call show('kinds', kinds_found)
         end block
+        call begin('surface_project_curve')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%projection(g=wall, curve=twist, direction=[1.0d0, 0.2d0, 0.1d0], tolerance=0.01d0)
+            call show('out', found)
+        end block
+        call begin('face_project_curve')
+        block
+            type(nurbs_meet) :: found
+            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.1d0)
+            call show('out', found)
+        end block
         call begin('model_sections')
         block
             type(nurbs_spline) :: sphere
@@ -2806,6 +2821,24 @@ contains
                 0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
             call upright%create(surface=wall, tolerance=0.001d0, flags=0)
             call found%of_faces(a=face, b=upright, tolerance=0.1d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_project_curve_with')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call found%projection(g=wall, curve=twist, direction=[1.0d0, 0.2d0, 0.1d0], tolerance=0.01d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_project_curve_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%face_projection(face=face, curve=twist, direction=[0.0d0, 0.0d0, 1.0d0], tolerance=0.1d0, &
+                call=watching)
             call show('out', found)
         end block
         call begin('model_sections_with')
@@ -4915,6 +4948,29 @@ contains
             call show('kinds', kinds_found)
             call show('complete', complete_found)
         end block
+        call begin('surfaces_common_points')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_spline) :: sphere
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: points_found(:, :)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :, :)
+            logical :: complete_found
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call common_points(a=wall, b=surface, c=sphere, params=params_found, points=points_found, &
+                kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=0.001d0)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 3), &
+                size(ranges_found, 1)], order=[3, 1, 2])))
+            call show('complete', complete_found)
+        end block
         call begin('curve_surface_intersections')
         block
             type(nurbs_spline) :: sphere
@@ -6037,6 +6093,30 @@ contains
                 directions=reshape([0.0d0, 0.0d0, -1.0d0], [1, 3], order=[2, 1]), distances=distances_found, &
                 call=watching)
             call show('distances', distances_found)
+        end block
+        call begin('surfaces_common_points_with')
+        block
+            type(nurbs_spline) :: wall
+            type(nurbs_spline) :: sphere
+            real(c_double), allocatable :: params_found(:, :)
+            real(c_double), allocatable :: points_found(:, :)
+            integer(c_int32_t), allocatable :: kinds_found(:)
+            real(c_double), allocatable :: ranges_found(:, :, :)
+            logical :: complete_found
+            type(nurbs_call) :: watching
+            call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
+                0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
+            call create_sphere(out=sphere, radius=1.0d0, form=0)
+            call common_points(a=wall, b=surface, c=sphere, params=params_found, points=points_found, &
+                kinds=kinds_found, ranges=ranges_found, complete=complete_found, tolerance=0.001d0, call=watching)
+            call show('params', flat(reshape(params_found, [size(params_found, 2), size(params_found, 1)], order=[2, &
+                1])))
+            call show('points', flat(reshape(points_found, [size(points_found, 2), size(points_found, 1)], order=[2, &
+                1])))
+            call show('kinds', kinds_found)
+            call show('ranges', flat(reshape(ranges_found, [size(ranges_found, 2), size(ranges_found, 3), &
+                size(ranges_found, 1)], order=[3, 1, 2])))
+            call show('complete', complete_found)
         end block
         call begin('curve_surface_intersections_with')
         block

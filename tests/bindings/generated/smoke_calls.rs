@@ -1596,6 +1596,24 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = given.meet.kinds()?;
         show("kinds", &found);
     }
+    begin("surface_project_curve");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let found = Meet::projection(&wall, &given.twist, &[1.0, 0.2, 0.1], 0.01)?;
+        show("out", &found);
+    }
+    begin("face_project_curve");
+    {
+        let found = Meet::face_projection(&given.face, &given.twist, &[0.0, 0.0, 1.0], 0.1)?;
+        show("out", &found);
+    }
     begin("model_sections");
     {
         let sphere = Spline::sphere(
@@ -2478,6 +2496,36 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::of_faces_with(
             &given.face,
             &upright,
+            0.1,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("surface_project_curve_with");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let found = Meet::projection_with(
+            &wall,
+            &given.twist,
+            &[1.0, 0.2, 0.1],
+            0.01,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_project_curve_with");
+    {
+        let found = Meet::face_projection_with(
+            &given.face,
+            &given.twist,
+            &[0.0, 0.0, 1.0],
             0.1,
             &mut Call::new().progress(|_| true),
         )?;
@@ -4188,6 +4236,30 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("kinds", &found.kinds);
         show("complete", &found.complete);
     }
+    begin("surfaces_common_points");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = wall.common_points(&given.surface, &sphere, 0.001)?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
+    }
     begin("curve_surface_intersections");
     {
         let sphere = Spline::sphere(
@@ -5059,6 +5131,35 @@ fn query(given: &Given) -> nurbs::Result<()> {
         show("params", &found.params);
         show("distances", &found.distances);
         show("status", &found.status);
+    }
+    begin("surfaces_common_points_with");
+    {
+        let wall = Spline::bezier(
+            &[1, 1],
+            3,
+            &[
+                0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0,
+            ],
+            None,
+        )?;
+        let sphere = Spline::sphere(
+            nurbs::Placement {
+                ..Default::default()
+            },
+            1.0,
+            0,
+        )?;
+        let found = wall.common_points_with(
+            &given.surface,
+            &sphere,
+            0.001,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("params", &found.params);
+        show("points", &found.points);
+        show("kinds", &found.kinds);
+        show("ranges", &found.ranges);
+        show("complete", &found.complete);
     }
     begin("curve_surface_intersections_with");
     {

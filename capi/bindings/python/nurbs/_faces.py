@@ -10,7 +10,7 @@ from typing import TypeVar, Union
 
 import numpy
 
-from ._arrays import address, addresses, if_given, parameters, vector
+from ._arrays import address, addresses, exactly, if_given, parameters, vector
 from ._base import handle_of
 from ._bounds import Box
 from ._bytes import given as given_bytes, pickled, written
@@ -20,6 +20,7 @@ from ._errors import NurbsError
 from ._intersections import cast
 from ._library import call, get, lib
 from ._measure import Measured, Moments, Quadrature, moments_of
+from ._meets import Meet
 from ._mesh import Mesh
 from ._plot import _COLOR, plot_mesh
 from ._spline import Spline
@@ -299,6 +300,14 @@ class Face:
         ArgumentError, and NumericError where rounding would have to decide what meets."""
         from ._models import Model  # which is made of faces
         return Model.split(self, curves, tolerance, progress=progress, work=work)
+
+    def project_curve(self, curve: Spline, direction: ArrayLike, tolerance: float, *, progress: Progress = None,
+                      work: Optional[int] = None) -> Meet:
+        """A curve projected onto the face along a direction (3,): what of Spline.project_curve() on its surface is inside of
+        its loops."""
+        along = exactly(direction, 3, "direction")
+        return Meet._made(watched(lib.nurbs_face_project_curve, progress, work), self._handle, handle_of(curve),
+                          along.ctypes.data, tolerance)
 
     def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
              work: Optional[int] = None) -> Measured:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ._calls import Progress
     from ._meets import Meet
 
-__all__ = ["Hits", "PairHits", "RayHits", "Rays", "SurfaceHits"]
+__all__ = ["CommonPoints", "Hits", "PairHits", "RayHits", "Rays", "SurfaceHits"]
 
 
 class Hits(NamedTuple):
@@ -57,6 +57,17 @@ class SurfaceHits(NamedTuple):
     complete: bool
 
 
+class CommonPoints(NamedTuple):
+    """Parameters (n, 3, 2) on three surfaces, points (n, 3), NURBS_HIT_CROSSING or NURBS_HIT_UNDECIDED each, ranges
+    (n, 3, 2, 2) of parameters, and whether nothing is undecided."""
+
+    params: Floats
+    points: Floats
+    kinds: Int32s
+    ranges: Floats
+    complete: bool
+
+
 class Rays(NamedTuple):
     """Parameters (..., 2) of a surface where rays meet it first, t (...), and NURBS_RAY_ bits (...)."""
 
@@ -85,6 +96,10 @@ def _pair_arrays(n: int) -> Tuple[Any, ...]:
 def _surface_arrays(n: int) -> Tuple[Any, ...]:
     return (numpy.empty(n), numpy.empty((n, 2)), numpy.empty(n, numpy.int32), numpy.empty((n, 2)),
             numpy.empty((n, 2, 2)))
+
+
+def _common_arrays(n: int) -> Tuple[Any, ...]:
+    return numpy.empty((n, 3, 2)), numpy.empty((n, 3)), numpy.empty(n, numpy.int32), numpy.empty((n, 3, 2, 2))
 
 
 def cast(function: Any, handle: Any, origins: ArrayLike, directions: ArrayLike) -> Rays:
@@ -132,6 +147,12 @@ class Intersections(SplineBase):
         """Where a curve meets a surface, with proof that there are no other places."""
         return listed(SurfaceHits, _surface_arrays, watched(lib.nurbs_curve_surface_intersections, progress, work, 2),
                       self._handle, handle_of(surface), tolerance)
+
+    def common_points(self, b: SplineBase, c: SplineBase, tolerance: float = 0.0, *, progress: Progress = None,
+                      work: Optional[int] = None) -> CommonPoints:
+        """The points that three surfaces have in common, with proof that there are no others."""
+        return listed(CommonPoints, _common_arrays, watched(lib.nurbs_surfaces_common_points, progress, work, 2),
+                      self._handle, handle_of(b), handle_of(c), tolerance)
 
     def rays(self, origins: ArrayLike, directions: ArrayLike, *, progress: Progress = None,
              work: Optional[int] = None) -> Rays:
@@ -208,3 +229,13 @@ class Intersections(SplineBase):
 
         return Meet._made(watched(lib.nurbs_surface_intersections, progress, work), self._handle, handle_of(other),
                           tolerance)
+
+    def project_curve(self, curve: SplineBase, direction: ArrayLike, tolerance: float, *, progress: Progress = None,
+                      work: Optional[int] = None) -> Meet:
+        """A curve projected onto a surface along a direction (3,): all curves on it, with proof that there are no others. On
+        each branch the parameter t of the curve rises: Meet.branch_second() has (t, distance along the direction)."""
+        from ._meets import Meet
+
+        along = exactly(direction, 3, "direction")
+        return Meet._made(watched(lib.nurbs_surface_project_curve, progress, work), self._handle, handle_of(curve),
+                          along.ctypes.data, tolerance)

@@ -64,6 +64,23 @@ pub struct SurfaceHits {
     pub complete: bool,
 }
 
+/// Parameters on three surfaces, `[n][3][2]`, rising on the first one, the points, one `NURBS_HIT_` constant
+/// each, and ranges of parameters, `[n][3][2][2]`.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct CommonPoints {
+    /// `[n][3][2]` on the three surfaces.
+    pub params: Vec<[f64; 6]>,
+    /// `[n][3]`.
+    pub points: Vec<[f64; 3]>,
+    /// `NURBS_HIT_CROSSING` or `NURBS_HIT_UNDECIDED` each.
+    pub kinds: Vec<i32>,
+    /// Of parameters, `[n][6]` of lower and upper ends, outside of which there are no common points.
+    pub ranges: Vec<[f64; 2]>,
+    /// Whether none of them is undecided.
+    pub complete: bool,
+}
+
 /// Where rays meet a surface first, at origin + t direction.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
@@ -448,6 +465,85 @@ impl Spline {
             ranges_surface,
             complete: complete != 0,
         })
+    }
+
+    /// The points that three surfaces have in common, with proof that there are no others.
+    pub fn common_points(&self, b: &Spline, c: &Spline, tolerance: f64) -> Result<CommonPoints> {
+        let mut complete = 0;
+        let mut fill = |cap, params, points, kinds, ranges, count| unsafe {
+            sys::nurbs_surfaces_common_points(
+                self.raw(),
+                b.raw(),
+                c.raw(),
+                tolerance,
+                cap,
+                params,
+                points,
+                kinds,
+                ranges,
+                count,
+                &mut complete,
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![[0.0; 6]; n];
+        let mut points = vec![[0.0; 3]; n];
+        let mut kinds = vec![0; n];
+        let mut ranges = vec![[0.0; 2]; 6 * n];
+        check(fill(
+            count,
+            params.as_mut_ptr().cast(),
+            points.as_mut_ptr().cast(),
+            kinds.as_mut_ptr(),
+            ranges.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(CommonPoints { params, points, kinds, ranges, complete: complete != 0 })
+    }
+
+    /// The same as `common_points`; it can be watched and stopped.
+    pub fn common_points_with(
+        &self,
+        b: &Spline,
+        c: &Spline,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<CommonPoints> {
+        let mut complete = 0;
+        let mut fill = |cap, params, points, kinds, ranges, count| unsafe {
+            sys::nurbs_surfaces_common_points_with(
+                self.raw(),
+                b.raw(),
+                c.raw(),
+                tolerance,
+                cap,
+                params,
+                points,
+                kinds,
+                ranges,
+                count,
+                &mut complete,
+                call.options(),
+            )
+        };
+        let mut count = 0;
+        check(fill(0, null_mut(), null_mut(), null_mut(), null_mut(), &mut count))?;
+        let n = count as usize;
+        let mut params = vec![[0.0; 6]; n];
+        let mut points = vec![[0.0; 3]; n];
+        let mut kinds = vec![0; n];
+        let mut ranges = vec![[0.0; 2]; 6 * n];
+        check(fill(
+            count,
+            params.as_mut_ptr().cast(),
+            points.as_mut_ptr().cast(),
+            kinds.as_mut_ptr(),
+            ranges.as_mut_ptr().cast(),
+            &mut count,
+        ))?;
+        Ok(CommonPoints { params, points, kinds, ranges, complete: complete != 0 })
     }
 
     /// Where rays meet a surface first, with proof.

@@ -320,6 +320,65 @@ impl Meet {
         })
     }
 
+    /// A curve projected onto a surface along a direction: all curves on it, proven to be all.
+    pub fn projection(g: &Spline, curve: &Spline, direction: &[f64; 3], tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_project_curve(g.raw(), curve.raw(), direction.as_ptr(), tolerance, out)
+        })
+    }
+
+    /// The same as `projection`; it can be watched and stopped.
+    pub fn projection_with(
+        g: &Spline,
+        curve: &Spline,
+        direction: &[f64; 3],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_project_curve_with(
+                g.raw(),
+                curve.raw(),
+                direction.as_ptr(),
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
+    /// A curve projected onto a face along a direction: all curves inside of its loops.
+    pub fn face_projection(
+        face: &Face,
+        curve: &Spline,
+        direction: &[f64; 3],
+        tolerance: f64,
+    ) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_face_project_curve(face.raw(), curve.raw(), direction.as_ptr(), tolerance, out)
+        })
+    }
+
+    /// The same as `face_projection`; it can be watched and stopped.
+    pub fn face_projection_with(
+        face: &Face,
+        curve: &Spline,
+        direction: &[f64; 3],
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_face_project_curve_with(
+                face.raw(),
+                curve.raw(),
+                direction.as_ptr(),
+                tolerance,
+                call.options(),
+                out,
+            )
+        })
+    }
+
     /// How much it holds.
     pub fn counts(&self) -> Result<MeetCounts> {
         let mut branches = 0;

@@ -927,6 +927,8 @@ pub const NURBS_NODE_TOUCH: i32 = 3;
 pub const NURBS_NODE_UNDECIDED: i32 = 4;
 /// an edge, a corner or a pole of faces of a model, where another branch goes on
 pub const NURBS_NODE_EDGE: i32 = 5;
+/// the surface folds as seen along the direction of a projection: another sheet goes on
+pub const NURBS_NODE_FOLD: i32 = 6;
 
 // --- Kinds of contours
 /// f = N . d: what is seen as an outline along d
@@ -3852,6 +3854,39 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
+    /// The points that three surfaces have in common: all of them, proven to be all.
+    ///
+    /// May be null: `params`, `points`, `kinds`, `ranges`, `count`, `complete`.
+    pub fn nurbs_surfaces_common_points(
+        a: *const nurbs,
+        b: *const nurbs,
+        c: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        points: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+    ) -> nurbs_status;
+    /// nurbs_surfaces_common_points() as a call that can be watched and ended.
+    ///
+    /// May be null: `params`, `points`, `kinds`, `ranges`, `count`, `complete`, `call`.
+    pub fn nurbs_surfaces_common_points_with(
+        a: *const nurbs,
+        b: *const nurbs,
+        c: *const nurbs,
+        tolerance: f64,
+        cap: i64,
+        params: *mut f64,
+        points: *mut f64,
+        kinds: *mut i32,
+        ranges: *mut f64,
+        count: *mut i64,
+        complete: *mut i32,
+        call: *const nurbs_call_options,
+    ) -> nurbs_status;
     /// Where rays x = origin + t direction, t \>= 0, meet a surface first.
     ///
     /// May be null: `params`, `distances`, `status`.
@@ -4062,6 +4097,48 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
+    /// A curve projected onto a surface along a direction: all curves in which the lines C(t) + h d / |d|
+    /// meet the surface, proven to be all.
+    pub fn nurbs_surface_project_curve(
+        g: *const nurbs,
+        curve: *const nurbs,
+        direction: *const f64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_project_curve() as a call that can be watched and ended, as
+    /// nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_surface_project_curve_with(
+        g: *const nurbs,
+        curve: *const nurbs,
+        direction: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// A curve projected onto a face along a direction: what of nurbs_surface_project_curve() on its surface
+    /// is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face they end in
+    /// nodes BORDER.
+    pub fn nurbs_face_project_curve(
+        face: *const nurbs_face,
+        curve: *const nurbs,
+        direction: *const f64,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_face_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_face_project_curve_with(
+        face: *const nurbs_face,
+        curve: *const nurbs,
+        direction: *const f64,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
     /// Another handle on the same meet, in constant time.
     pub fn nurbs_meet_clone(meet: *const nurbs_meet, out: *mut *mut nurbs_meet) -> nurbs_status;
     /// Frees a handle on a meet.
@@ -4105,7 +4182,7 @@ extern "C" {
         space: *mut *mut nurbs,
         on_surface: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The curve of a branch on the second of two surfaces.
+    /// The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
     pub fn nurbs_meet_branch_second(
         meet: *const nurbs_meet,
         index: i64,
@@ -4123,7 +4200,7 @@ extern "C" {
         ranges: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// Where the nodes of a meet are on the second of two surfaces.
+    /// Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
     ///
     /// May be null: `params`, `ranges`, `count`.
     pub fn nurbs_meet_nodes_second(

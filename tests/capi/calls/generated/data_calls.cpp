@@ -1013,6 +1013,20 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_meet_kinds(in.meet, 4, o.states, o.spans);
      }},
+    {"surface_project_curve",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         static constexpr double direction[] = {1, 0.2, 0.1};
+         return nurbs_surface_project_curve(made_wall, in.twist, direction, 0.01, &o.meet);
+     }},
+    {"face_project_curve",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double direction[] = {0, 0, 1};
+         return nurbs_face_project_curve(in.face, in.twist, direction, 0.1, &o.meet);
+     }},
     {"model_sections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -1867,6 +1881,24 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_intersections_with(in.face, made_upright, 0.1, &call, &o.meet);
+     }},
+    {"surface_project_curve_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         static constexpr double direction[] = {1, 0.2, 0.1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_project_curve_with(made_wall, in.twist, direction, 0.01, &call, &o.meet);
+     }},
+    {"face_project_curve_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         static constexpr double direction[] = {0, 0, 1};
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_project_curve_with(in.face, in.twist, direction, 0.1, &call, &o.meet);
      }},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

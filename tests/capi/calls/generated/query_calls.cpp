@@ -273,6 +273,19 @@ const Call group[] = {
          return nurbs_surface_ray_hits(in.surface, origin, direction, nullptr, 8, o.values, o.values + 16,
              o.states, o.spans, o.states + 8);
      }, true},
+    {"surfaces_common_points",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         return nurbs_surfaces_common_points(made_wall, in.surface, made_sphere, 0.001, 8, o.values, o.values +
+             48, o.states, o.values + 72, o.spans, o.states + 8);
+     }, true},
     {"curve_surface_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -918,6 +931,21 @@ const Call group[] = {
          return nurbs_surface_rays_with(in.surface, 1, origins, 0, 0, directions, 0, 0, nullptr, o.values,
              nullptr, &call);
      }},
+    {"surfaces_common_points_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_wall(in, make_wall);
+         if (made_wall.status() != NURBS_OK) {
+             return made_wall.status();
+         }
+         Made made_sphere(in, make_sphere);
+         if (made_sphere.status() != NURBS_OK) {
+             return made_sphere.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surfaces_common_points_with(made_wall, in.surface, made_sphere, 0.001, 8, o.values,
+             o.values + 48, o.states, o.values + 72, o.spans, o.states + 8, &call);
+     }, true},
     {"curve_surface_intersections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Curves projected onto faces along a direction.
+#pragma once
+
+#include "face/face.h"
+#include "intersect/projection/curve_projection.h"
+
+namespace nrb::face {
+
+// What of projected_along() on the surface of a face is inside of its loops (trimmed()).
+intersect::Meet projected_along(const SplinePtr &curve, const Face &face, const Vector3 &direction,
+                                double tolerance);
+
+} // namespace nrb::face

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Finds the parts of three surfaces that have points in common, and these in them.
+#pragma once
+
+#include "closest/pair/pair_cells.h"
+#include "intersect/common/common_points.h"
+#include "intersect/common/triple_chart.h"
+
+#include <deque>
+#include <vector>
+
+namespace nrb::intersect {
+
+// Triples of pieces whose boxes have a common part, then triples of their parts, all of one size before smaller ones: a triple is
+// excluded, has a chart, or one of its parts is halved. What grows without end, as where the three have a curve in common, is
+// left open.
+class TripleSearch {
+public:
+    TripleSearch(const std::array<const Spline *, 3> &surfaces, const std::array<SurfaceBorders, 3> &borders);
+
+    // Each point once for each triple of pieces that it is in.
+    std::vector<CommonPoint> run(double tolerance);
+
+private:
+    using PairCell = closest::PairCell;
+    using Cells = std::array<PairCell *, 3>;
+    struct Side {
+        Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends);
+        CrossCell &root(PairCell &cell);
+
+        CrossGround ground;
+        closest::PairCells cells;
+        std::deque<CrossPiece> pieces;
+        std::deque<CrossCell> parts;
+        std::vector<CrossCell *> roots; // by marks of cells
+    };
+
+    void find_pieces();
+    void look_at(const Cells &cells);
+    void divide(const Cells &cells);
+    void look(const TripleParts &parts);
+    void look_at_chart(const TripleParts &parts);
+    void halve(const TripleParts &parts, size_t first);
+    void add_open(const TripleParts &parts);
+    void add_unknown(const Cells &cells);
+    void add_point(const TripleParts &parts, const TripleChart::Found &found);
+
+    pieces::Frame frame_;
+    std::deque<Side> sides_;
+    double tolerance_ = 0;
+    std::vector<Cells> stack_;
+    std::vector<TripleParts> parts_, next_;
+    TripleChart chart_;
+    std::vector<CommonPoint> found_;
+};
+
+} // namespace nrb::intersect

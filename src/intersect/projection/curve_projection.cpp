@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/projection/curve_projection.h"
+
+#include "base/watch.h"
+#include "intersect/projection/projecting_lines.h"
+#include "intersect/projection/sheets.h"
+#include "intersect/surfaces/surface_surface.h"
+
+#include <utility>
+
+namespace nrb::intersect {
+
+Meet projected_along(const SplinePtr &curve, const Spline &surface, const Vector3 &direction,
+                     double tolerance) {
+    const LimitedSearch limited;
+    const ProjectingLines lines = projecting_lines(curve, surface, direction);
+    Meet meet = surface_intersections(surface, *lines.surface, tolerance);
+    for (MeetBranch &branch : meet.branches) {
+        branch.deviation += lines.rounding;
+    }
+    return cut_in_sheets(std::move(meet), {*lines.surface, lines.direction, surface});
+}
+
+} // namespace nrb::intersect

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/projection/projecting_lines.h"
+
+#include "base/finite.h"
+#include "base/numbers.h"
+#include "base/representable.h"
+#include "bounds/box.h"
+#include "build/surfaces/ruled_extruded.h"
+#include "refine/forms/parametrization.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+using Box3 = std::array<Interval, 3>;
+
+// Of all points, however control points are weighted.
+Box3 box_of(const Spline &spline) {
+    Part all{};
+    for (int k = 0; k < spline.axes(); ++k) {
+        all[static_cast<size_t>(k)] = spline.axis(k).domain();
+    }
+    const bounds::Box box = bounds::bounding_box(spline, all, bounds::extent(spline));
+    require_representable(box.lower, "the box of the points");
+    require_representable(box.upper, "the box of the points");
+    Box3 result;
+    for (size_t c = 0; c < 3; ++c) {
+        result[c] = {box.lower[c], box.upper[c]};
+    }
+    return result;
+}
+
+double largest(const Box3 &box) noexcept {
+    double most = 0;
+    for (const Interval &side : box) {
+        most = std::max({most, std::abs(side.lower), std::abs(side.upper)});
+    }
+    return most;
+}
+
+double size_of(const Box3 &box) noexcept {
+    return std::hypot(box[0].upper - box[0].lower, box[1].upper - box[1].lower, box[2].upper - box[2].lower);
+}
+
+// With a margin, so that the surface does not end where the other one touches its box.
+Interval heights(const Box3 &from, const Box3 &to, const Vector3 &direction) noexcept {
+    const std::array<double, 3> along{direction.x, direction.y, direction.z};
+    Interval range{0, 0};
+    for (size_t c = 0; c < 3; ++c) {
+        const double a = along[c] * (to[c].lower - from[c].upper),
+                     b = along[c] * (to[c].upper - from[c].lower);
+        range = {range.lower + std::min(a, b), range.upper + std::max(a, b)};
+    }
+    const double margin = (size_of(from) + size_of(to)) / 8 + 64 * eps * (largest(from) + largest(to)),
+                 room = margin > 0 ? margin : 1;
+    return {range.lower - room, range.upper + room};
+}
+
+SplinePtr moved(const SplinePtr &curve, const Vector3 &direction, double height) {
+    std::vector<double> points(curve->points().begin(), curve->points().end());
+    const int width = curve->stored_width();
+    for (auto record = points.begin(); record != points.end(); record += width) {
+        const double way = width > 3 ? record[3] * height : height;
+        record[0] = std::fma(way, direction.x, record[0]);
+        record[1] = std::fma(way, direction.y, record[1]);
+        record[2] = std::fma(way, direction.z, record[2]);
+    }
+    require_representable(points, "control points moved along the direction");
+    return make_result(curve->knot_vectors(), 3, curve->form(), std::move(points),
+                       {curve->weights().begin(), curve->weights().end()});
+}
+
+// Of what the control points of a curve in a box make, each of which is rounded in a product and a sum.
+double rounding_of(const Spline &curve, const Box3 &box, const Interval &range) {
+    const double far = std::max(std::abs(range.lower), std::abs(range.upper));
+    if (curve.form() != Form::homogeneous) {
+        return 4 * eps * (largest_magnitude(curve.effective().points()) + far);
+    }
+    const Spline::WeightRange weights = curve.all_weights();
+    return weights.smallest > 0 ? 8 * eps * weights.largest / weights.smallest * (largest(box) + far)
+                                : infinity;
+}
+
+} // namespace
+
+ProjectingLines projecting_lines(const SplinePtr &curve, const Spline &surface, const Vector3 &direction) {
+    const Vector3 along = unit(scaled_to_one(direction));
+    const Box3 box = box_of(*curve);
+    const Interval range = heights(box, box_of(surface), along);
+    const SplinePtr ruled =
+        build::ruled_homogeneous(moved(curve, along, range.lower), moved(curve, along, range.upper));
+    return {along, refine::reparametrize(ruled, 1, range), rounding_of(*curve, box, range)};
+}
+
+} // namespace nrb::intersect
