@@ -187,19 +187,71 @@ static void what_is_refused(void) {
     nurbs_destroy(space);
 }
 
-static void surfaces_that_close_up(void) {
-    nurbs_model *out = NULL;
-    nurbs *cylinder = NULL, *curve = segment(0, 0, 1, 1);
+static void check_split(const nurbs_face *face, nurbs *curve, int64_t faces, int64_t edges, int64_t vertices,
+                        double area) {
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_face_split(face, 1, CURVES(curve), 0, &model));
+    check_model(model, faces, edges, vertices, area);
+    nurbs_destroy(curve);
+}
+
+/* Around, over the seam and up. */
+static void a_cylinder_is_divided(void) {
+    nurbs *cylinder = NULL;
     nurbs_face *face = NULL;
-    CHECK_OK(nurbs_surface_cylinder(VALUES(0, 0, 0), VALUES(0, 0, 1), VALUES(1, 0, 0), 1, 2, 0,
-                                    6.283185307179586, NURBS_ARC_QUARTERS, &cylinder));
+    CHECK_OK(nurbs_surface_cylinder(VALUES(0, 0, 0), VALUES(0, 0, 1), VALUES(1, 0, 0), 1, 2, 0, 2 * pi_,
+                                    NURBS_ARC_QUARTERS, &cylinder));
     CHECK_OK(nurbs_face_create(cylinder, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
-    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(curve), 0, &out), NURBS_ERROR_INCOMPATIBLE, "axis");
-    CHECK_FAILS(nurbs_region_combine(1, 1, (const nurbs_face *const *)&face, 0, NULL, 0, &out),
-                NURBS_ERROR_INCOMPATIBLE, "axis");
+    double u[2];
+    CHECK_OK(nurbs_domain(cylinder, 0, u));
+    const double area = 4 * pi_, period = u[1] - u[0];
+    check_split(face, segment(u[0] + 0.2, 0.5, u[1] + 0.2, 0.5), 2, 3, 3, area);
+    check_split(face, segment(u[0] + 0.2, 0.5, u[1], 0.5), 1, 2, 2, area);
+    check_split(face, segment(u[0] + 0.2, 0, u[0] + 3 * period, 1), 1, 2, 2, area);
+    check_split(face, circle_in_domain(u[1], 0.5, 0.2), 2, 3, 3, area);
     nurbs_face_destroy(face);
     nurbs_destroy(cylinder);
-    nurbs_destroy(curve);
+}
+
+/* By the equator, a meridian circle in two halves, and the spiral between the poles. */
+static void a_sphere_is_divided(void) {
+    nurbs *sphere = NULL;
+    nurbs_face *face = NULL;
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_surface_sphere(NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &sphere));
+    CHECK_OK(nurbs_face_create(sphere, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    double u[2], v[2];
+    CHECK_OK(nurbs_domain(sphere, 0, u));
+    CHECK_OK(nurbs_domain(sphere, 1, v));
+    const double half = (u[1] - u[0]) / 2, middle = (v[0] + v[1]) / 2;
+    check_split(face, segment(u[0], middle, u[1], middle), 2, 1, 1, 4 * pi_);
+    check_split(face, segment(u[0], v[0], u[0] + 2 * half, v[1]), 1, 0, 0, 4 * pi_);
+    nurbs *first = segment(u[0], v[0], u[0], v[1]), *second = segment(u[0] + half, v[0], u[0] + half, v[1]);
+    CHECK_OK(nurbs_face_split(face, 2, CURVES(first, second), 0, &model));
+    nurbs_face *parts[] = {face_at(model, 0), face_at(model, 1)};
+    check_model(model, 2, 2, 2, 4 * pi_);
+    CHECK_OK(
+        nurbs_region_combine(NURBS_REGION_UNION, 2, (const nurbs_face *const *)parts, 0, NULL, 0, &model));
+    check_model(model, 1, 0, 0, 4 * pi_);
+    nurbs_face_destroy(parts[0]);
+    nurbs_face_destroy(parts[1]);
+    nurbs_face_destroy(face);
+    nurbs_destroy(first);
+    nurbs_destroy(second);
+    nurbs_destroy(sphere);
+}
+
+/* A face is never lost without a word. */
+static void faces_smaller_than_the_tolerance(void) {
+    nurbs *surface = plane(), *loop = square(0, 1);
+    nurbs_face *face = NULL;
+    nurbs_model *out = NULL;
+    CHECK_OK(nurbs_face_create(surface, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(loop), 100, &out), NURBS_ERROR_NOT_CONVERGED, "tolerance");
+    CHECK_INT(out == NULL, 1);
+    nurbs_face_destroy(face);
+    nurbs_destroy(surface);
+    nurbs_destroy(loop);
 }
 
 static void watched_calls(void) {
@@ -220,6 +272,8 @@ int main(void) {
     circles_that_touch();
     a_face_is_divided();
     what_is_refused();
-    surfaces_that_close_up();
+    a_cylinder_is_divided();
+    a_sphere_is_divided();
+    faces_smaller_than_the_tolerance();
     return check_summary("regions_test");
 }

@@ -294,7 +294,9 @@ void Cuts::add_pair(const LoopHit &hit, size_t edge) {
             return;
         }
     }
-    fail_at(hit);
+    if (first < last || !is_small(hit.b, hit.range_b)) { // a node has no edge
+        fail_at(hit);
+    }
 }
 
 // A place of a, where b is.

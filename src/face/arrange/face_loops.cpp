@@ -4,7 +4,7 @@
 #include "build/polylines.h"
 #include "face/open_ends.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace nrb::face {
 
@@ -13,6 +13,12 @@ namespace {
 ArrangedLoop segment(const Point2 &from, const Point2 &to, int32_t owner, bool in_a_point) {
     const SplinePtr line = build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1});
     return {{{{line, {0, 0}}}, {0, 0}}, owner, in_a_point};
+}
+
+bool is_rounding(const Covering &covering, const Joint &joint) noexcept {
+    constexpr double rounding = 0x1p-40; // of a period
+    return std::abs(joint.to[0] - joint.from[0]) <= rounding * covering.period(0) &&
+           std::abs(joint.to[1] - joint.from[1]) <= rounding * covering.period(1);
 }
 
 // A part of an end of the domain.
@@ -52,7 +58,9 @@ std::vector<ArrangedLoop> loops_of(const Face &face, int32_t owner) {
         result.push_back({placed(*face.surface(), covering, loop, face.tolerance()), owner});
     }
     for (const Joint &joint : face.joints()) {
-        result.push_back(segment(joint.from, joint.to, owner, true));
+        if (!is_rounding(covering, joint)) {
+            result.push_back(segment(joint.from, joint.to, owner, true));
+        }
     }
     for (const EndPart &part : open_ends(face)) {
         const End end(covering, part);
