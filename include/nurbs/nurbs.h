@@ -8359,6 +8359,46 @@ NURBS_API nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, c
 NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t count,
                                              const nurbs *const *curves, double tolerance,
                                              const nurbs_call_options *call, nurbs_model **out);
+
+/** \name Which side of a surface is kept
+ * @{ */
+#define NURBS_TRIM_FRONT 1   /**< to which its normals N = S_u x S_v point */
+#define NURBS_TRIM_BACK (-1) /**< the other one */
+/** @} */
+
+/** \brief What of a face lies on one side of a surface: the parts into which the curves of nurbs_surface_intersections() divide
+ * it, as nurbs_face_split() makes them, without those on the other side. None if all of it is there. What is kept for both sides
+ * makes up the face.
+ *
+ * Which side a part is on is proven. Beside a curve in which both meet its direction tells it: what lies to its left in the
+ * domain of the face is in front. A part that the surface does not come to is in front if P - Q points as N does, where P is a
+ * place in it and Q the nearest point of the surface (nurbs_closest_points()), certified, and not on its border: there the
+ * surface tells no side. A surface has to divide the face from border to border; one that ends inside of it is
+ * refused. Where both only touch nothing is divided; as long as it is undecided in the face how they meet, as where they touch along curves, nothing is
+ * answered.
+ * \param[in] face a face of a surface of dimension 3.
+ * \param[in] surface of dimension 3, all of it; its own border does not trim it.
+ * \param[in] side one of the NURBS_TRIM_ constants.
+ * \param[in] tolerance > 0: the largest distance of the new borders from the surface, and what counts as no distance, as for
+ *   nurbs_face_split().
+ * \param[out] out the new model of the parts that are kept, its unit left open.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another side,
+ *   _INCOMPATIBLE if the surface ends inside of the face, or a part lies on both of its sides or beyond its border, _GAP
+ *   if loops of the face have larger gaps than its tolerance, _NOT_CONVERGED where it is undecided how both meet, or rounding would
+ *   have to decide.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_trim(const nurbs_face *face, const nurbs *surface, int32_t side,
+                                       double tolerance, nurbs_model **out);
+
+/** \brief nurbs_face_trim() as a call that can be watched and ended.
+ * \param[in] face,surface,side,tolerance as for nurbs_face_trim().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_face_trim(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_trim_with(const nurbs_face *face, const nurbs *surface, int32_t side,
+                                            double tolerance, const nurbs_call_options *call,
+                                            nurbs_model **out);
 /** @} */
 
 /** \defgroup mesh Meshes

@@ -67,6 +67,9 @@ public:
         friend bool operator==(const Origin &, const Origin &) = default;
     };
     [[nodiscard]] const Origin &origin(const CutEdge &cut) const noexcept { return origins_[cut.curve]; }
+    [[nodiscard]] const ArrangedLoop &loop(const CutEdge &cut) const noexcept {
+        return loops_[origin(cut).loop];
+    }
 
     // The copy of a node nearest to a place: bit for bit an end of the domain where it is one.
     [[nodiscard]] Point2 node_near(size_t node, const Point2 &x) const noexcept;

@@ -37,16 +37,40 @@ std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement, const P
     return result;
 }
 
-// Without those that have one part on both sides.
-std::vector<DirectedEdge> between_parts(const Arrangement &arrangement, std::vector<DirectedEdge> edges) {
+bool is_of_curves(const Arrangement &arrangement, const Arrangement::Member &member) {
+    return arrangement.loop(arrangement.cuts().edges()[member.cut]).owner == of_curves;
+}
+
+// Without those that have one part on both sides, of which a curve that is among them is told.
+std::vector<DirectedEdge> between_parts(const Arrangement &arrangement, std::vector<DirectedEdge> edges,
+                                        std::optional<Point2> &loose) {
     const PartsWithin parts(arrangement, edges);
     const std::vector<DirectedEdge> all = edges; // sorted
     std::erase_if(edges, [&](DirectedEdge edge) {
         const DirectedEdge other{edge.edge, !edge.back};
-        return std::ranges::binary_search(all, other) &&
-               parts.part_left_of(edge) == parts.part_left_of(other);
+        const bool same =
+            std::ranges::binary_search(all, other) && parts.part_left_of(edge) == parts.part_left_of(other);
+        if (same && std::ranges::any_of(arrangement.edges()[edge.edge].members, [&](const auto &member) {
+                return is_of_curves(arrangement, member);
+            })) {
+            loose = arrangement.nodes()[arrangement.from(edge)];
+        }
+        return same;
     });
     return edges;
+}
+
+// Of the curves that run along the loops of a part.
+void set_sides(const Arrangement &arrangement, const PartLoops &loops, SplitPart &part) {
+    for (const EdgeLoop &loop : loops) {
+        for (const DirectedEdge edge : loop) {
+            for (const Arrangement::Member &member : arrangement.edges()[edge.edge].members) {
+                if (is_of_curves(arrangement, member)) {
+                    (member.against == edge.back ? part.left : part.right) = true;
+                }
+            }
+        }
+    }
 }
 
 // Nodes at which more than two ways go on.
@@ -160,7 +184,7 @@ FacePtr face_of(const Face &face, const Arrangement &arrangement, const PartLoop
 
 } // namespace
 
-std::vector<FacePtr> split(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
+SplitFace split_with_sides(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
     const double near = std::max(tolerance, face.tolerance());
     if (face.has_gaps()) {
         fail(Status::gap, "the face has gaps larger than its tolerance");
@@ -173,18 +197,28 @@ std::vector<FacePtr> split(const Face &face, std::span<const SplinePtr> curves, 
     const Arrangement arrangement(face.covering(), loops, near);
     AtCorner corner(arrangement);
     corner.add(face, of_face);
+    SplitFace result;
     const std::vector<DirectedEdge> border =
-        between_parts(arrangement, dividing_edges(arrangement, corner.sums()));
+        between_parts(arrangement, dividing_edges(arrangement, corner.sums()), result.loose);
     const std::vector<bool> ends = forks(arrangement, border);
     Coedges coedges(face, face.covering(), arrangement, near);
     std::vector<FacePtr> faces;
     for (const PartLoops &part : PartsWithin(arrangement, border).list(!corner.sums().empty())) {
         faces.push_back(face_of(face, arrangement, part, ends, near, coedges));
+        set_sides(arrangement, part, result.parts.emplace_back(SplitPart{faces.back()}));
     }
     if (faces.empty()) {
         fail(Status::not_converged, "the face is no larger than the tolerance %s", Number(near).text);
     }
     check_area(arrangement, faces, domain_area(face));
+    return result;
+}
+
+std::vector<FacePtr> split(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
+    std::vector<FacePtr> faces;
+    for (SplitPart &part : split_with_sides(face, curves, tolerance).parts) {
+        faces.push_back(std::move(part.face));
+    }
     return faces;
 }
 
