@@ -241,6 +241,67 @@ static void a_sphere_is_divided(void) {
     nurbs_destroy(sphere);
 }
 
+static void check_trim(const nurbs_face *face, const nurbs *surface, int32_t side, int64_t faces,
+                       double area) {
+    nurbs_model *model = NULL;
+    int64_t count = -1;
+    double sum = 0;
+    CHECK_OK(nurbs_face_trim(face, surface, side, 1e-9, &model));
+    CHECK_OK(nurbs_model_counts(model, NULL, NULL, &count, NULL, NULL));
+    CHECK_INT(count, faces);
+    for (int64_t i = 0; i < count; ++i) {
+        nurbs_face *part = face_at(model, i);
+        double own = 0;
+        CHECK_OK(nurbs_face_area(part, 1e-9, &own, NULL));
+        sum += own;
+        nurbs_face_destroy(part);
+    }
+    CHECK_NEAR(&sum, &area, 1, 1e-6);
+    nurbs_model_destroy(model);
+}
+
+static nurbs *level_plane(double height, double half) {
+    nurbs *surface = NULL;
+    CHECK_OK(nurbs_surface_plane(3, VALUES(-half, -half, height), VALUES(2 * half, 0, 0),
+                                 VALUES(0, 2 * half, 0), &surface));
+    return surface;
+}
+
+/* A sphere by planes: through it, above it, and one that ends inside. */
+static void faces_trimmed_by_surfaces(void) {
+    nurbs *sphere = NULL, *across = level_plane(0.5, 2), *above = level_plane(1.5, 2),
+          *short_one = level_plane(0.5, 0.75), *curve = segment(0, 0, 1, 1), *flat = plane();
+    nurbs_face *face = NULL, *plain = NULL;
+    nurbs_model *out = NULL;
+    CHECK_OK(nurbs_surface_sphere(NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &sphere));
+    CHECK_OK(nurbs_face_create(sphere, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    CHECK_OK(nurbs_face_create(flat, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &plain));
+    check_trim(face, across, NURBS_TRIM_FRONT, 1, pi_);
+    check_trim(face, across, NURBS_TRIM_BACK, 1, 3 * pi_);
+    check_trim(face, above, NURBS_TRIM_FRONT, 0, 0);
+    check_trim(face, above, NURBS_TRIM_BACK, 1, 4 * pi_);
+    CHECK_FAILS(nurbs_face_trim(face, short_one, NURBS_TRIM_FRONT, 1e-9, &out), NURBS_ERROR_INCOMPATIBLE,
+                "ends inside");
+    CHECK_FAILS(nurbs_face_trim(plain, flat, NURBS_TRIM_FRONT, 1e-9, &out), NURBS_ERROR_NOT_CONVERGED,
+                "undecided");
+    CHECK_FAILS(nurbs_face_trim(NULL, across, 1, 1e-9, &out), NURBS_ERROR_NULL, "face");
+    CHECK_FAILS(nurbs_face_trim(face, NULL, 1, 1e-9, &out), NURBS_ERROR_NULL, "surface");
+    CHECK_FAILS(nurbs_face_trim(face, curve, 1, 1e-9, &out), NURBS_ERROR_AXES, "surface");
+    CHECK_FAILS(nurbs_face_trim(face, across, 0, 1e-9, &out), NURBS_ERROR_RULE, "side = 0|NURBS_TRIM_");
+    CHECK_FAILS(nurbs_face_trim(face, across, 1, 0, &out), NURBS_ERROR_TOLERANCE, "tolerance = 0");
+    CHECK_FAILS(nurbs_face_trim(face, across, 1, INFINITY, &out), NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_face_trim(face, across, 1, 1e-9, NULL), NURBS_ERROR_NULL, "out");
+    CHECK_INT(out == NULL, 1);
+    nurbs_face_destroy(face);
+    nurbs_face_destroy(plain);
+    nurbs_destroy(sphere);
+    nurbs_destroy(across);
+    nurbs_destroy(above);
+    nurbs_destroy(short_one);
+    nurbs_destroy(curve);
+    nurbs_destroy(flat);
+}
+
 /* A face is never lost without a word. */
 static void faces_smaller_than_the_tolerance(void) {
     nurbs *surface = plane(), *loop = square(0, 1);
@@ -262,6 +323,7 @@ static void watched_calls(void) {
     CHECK_FAILS(nurbs_region_create_with(0, NULL, 1, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
     CHECK_FAILS(nurbs_region_combine_with(1, 0, NULL, 0, NULL, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
     CHECK_FAILS(nurbs_face_split_with(NULL, 0, NULL, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
+    CHECK_FAILS(nurbs_face_trim_with(NULL, NULL, 1, 1, &call, &out), NURBS_ERROR_OPTIONS, "work");
 }
 
 int main(void) {
@@ -274,6 +336,7 @@ int main(void) {
     what_is_refused();
     a_cylinder_is_divided();
     a_sphere_is_divided();
+    faces_trimmed_by_surfaces();
     faces_smaller_than_the_tolerance();
     return check_summary("regions_test");
 }
