@@ -133,4 +133,72 @@ TEST(FaceTrim, CapsOfASphere) {
     });
 }
 
+// Inside of another sphere is a cap, by what both radii and the distance of the centres say.
+TEST(FaceTrim, SpheresBySpheres) {
+    for_each_case(9200, 30, [](Random &random, uint64_t) {
+        const double r = random.between(0.5, 1.5), d = random.between(0.2, 2.5);
+        const Point3 to = unit(random), center{d * to[0], d * to[1], d * to[2]};
+        const Handle surface = sphere({0, 0, 0}, 1, unit(random)), tool = sphere(center, r, unit(random));
+        const Face face = whole(surface.get());
+        const Model outside = trim(face.get(), tool.get(), NURBS_TRIM_FRONT),
+                    inside = trim(face.get(), tool.get(), NURBS_TRIM_BACK);
+        const double low = std::clamp((d * d + 1 - r * r) / (2 * d), -1.0, 1.0);
+        EXPECT_NEAR(area(inside), 2 * pi * (1 - low), 1e-5);
+        EXPECT_NEAR(area(inside) + area(outside), 4 * pi, 1e-5);
+        expect_sides(surface.get(), outside, inside, random, [&](const Point3 &x) {
+            return std::hypot(x[0] - center[0], x[1] - center[1], x[2] - center[2]) - r;
+        });
+    });
+}
+
+// Each part is on one side; both sides together are the torus.
+TEST(FaceTrim, TorusByPlanes) {
+    for_each_case(9300, 30, [](Random &random, uint64_t) {
+        const Handle surface = made([](nurbs **out) {
+            return nurbs_surface_torus(nullptr, nullptr, nullptr, 2, 0.75, 0, 2 * pi, 0, 2 * pi,
+                                       NURBS_ARC_QUARTERS, out);
+        });
+        const Face face = whole(surface.get());
+        const Point3 n = unit(random);
+        const double off = random.between(-2.5, 2.5);
+        const Handle plane = square(n, off, 6);
+        const Model front = trim(face.get(), plane.get(), NURBS_TRIM_FRONT),
+                    back = trim(face.get(), plane.get(), NURBS_TRIM_BACK);
+        EXPECT_NEAR(area(front) + area(back), 4 * pi * pi * 2 * 0.75, 1e-4);
+        expect_sides(surface.get(), front, back, random,
+                     [&](const Point3 &x) { return n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - off; });
+    });
+}
+
+// Plates with holes, cut by what crosses them, and what is cut again: the parts of parts are the whole.
+TEST(FaceTrim, PlatesWithHoles) {
+    for_each_case(9400, 30, [](Random &random, uint64_t) {
+        Curves curves;
+        curves.push_back(rectangle(-2, -1, 2, 1));
+        curves.push_back(circle(random.between(-1.2, -0.8), random.between(-0.3, 0.3), 0.5));
+        curves.push_back(circle(random.between(0.8, 1.2), random.between(-0.3, 0.3), 0.5));
+        const Model plate = region(curves, NURBS_FILL_EVEN_ODD);
+        const Face face = models::face_of(plate.get(), 0);
+        const double all = area(plate);
+        const Point3 center{random.between(-2, 2), random.between(-1, 1), random.between(-0.5, 0.5)};
+        const double radius = random.between(0.6, 1.4);
+        const Handle ball = sphere(center, radius, unit(random));
+        const Model outside = trim(face.get(), ball.get(), NURBS_TRIM_FRONT),
+                    inside = trim(face.get(), ball.get(), NURBS_TRIM_BACK);
+        EXPECT_NEAR(area(outside) + area(inside), all, 1e-6);
+        Point3 n = unit(random);
+        n[2] *= 0.25;
+        const double size = std::hypot(n[0], n[1], n[2]);
+        const Handle plane = square({n[0] / size, n[1] / size, n[2] / size}, random.between(-0.5, 0.5), 9);
+        double sum = 0;
+        for (const Model *model : {&outside, &inside}) {
+            for (const Face &part : faces_of(model->get())) {
+                sum += area(trim(part.get(), plane.get(), NURBS_TRIM_FRONT));
+                sum += area(trim(part.get(), plane.get(), NURBS_TRIM_BACK));
+            }
+        }
+        EXPECT_NEAR(sum, all, 1e-6);
+    });
+}
+
 } // namespace face_trim_test
