@@ -44,7 +44,7 @@ void Cuts::add_marks() {
         add_marks(hit);
     }
     for (const LoopHit &hit : hits_.all()) {
-        if (hit.kind == HitKind::tangent || hit.kind == HitKind::undecided) {
+        if (hit.kind == HitKind::tangent || hit.kind == HitKind::undecided || is_short(hit)) {
             add_touch(hit);
         }
     }
@@ -52,7 +52,7 @@ void Cuts::add_marks() {
 
 // What is apart, if only by less than what is near, is no node.
 void Cuts::add_marks(const LoopHit &hit) {
-    if (hit.kind == HitKind::overlap) {
+    if (hit.kind == HitKind::overlap && !is_short(hit)) {
         const Interval b = hit.against ? Interval{hit.range_b.upper, hit.range_b.lower} : hit.range_b;
         add(hit.a, hit.range_a.lower);
         add(hit.a, hit.range_a.upper);
@@ -61,6 +61,11 @@ void Cuts::add_marks(const LoopHit &hit) {
     } else if (hit.kind == HitKind::crossing) {
         links_.emplace_back(add(hit.a, hit.at_a), add(hit.b, hit.at_b));
     }
+}
+
+// What curves have in common that is no longer than what one node may stand for is a touch.
+bool Cuts::is_short(const LoopHit &hit) const {
+    return hit.kind == HitKind::overlap && is_small(hit.a, hit.range_a) && is_small(hit.b, hit.range_b);
 }
 
 // Curves that touch are as near as rounding along a whole range. In it one node has to stand for all of them, so that one that is
@@ -287,14 +292,13 @@ void Cuts::add_pair(const LoopHit &hit, size_t edge) {
         if (other.range.lower <= foot && foot <= other.range.upper) {
             const bool same = own.from == (hit.against ? other.to : other.from) &&
                               own.to == (hit.against ? other.from : other.to);
-            if (!same) {
-                fail_at(hit);
+            if (same) {
+                pairs_.push_back({edge, i, hit.against});
+                return;
             }
-            pairs_.push_back({edge, i, hit.against});
-            return;
         }
     }
-    if (first < last || !is_small(hit.b, hit.range_b)) { // a node has no edge
+    if (!is_short(hit)) {
         fail_at(hit);
     }
 }

@@ -46,6 +46,7 @@ private:
 
     void add_marks();
     void add_marks(const LoopHit &hit);
+    [[nodiscard]] bool is_short(const LoopHit &hit) const;
     void add_touch(const LoopHit &hit);
     [[nodiscard]] const Mark *mark_in(size_t curve, Interval range, double at) const;
     void add_marks_under_overlaps();
