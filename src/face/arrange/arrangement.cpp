@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "eval/curve_point.h"
+#include "face/arrange/returns.h"
 #include "intersect/pairs/periods.h"
 #include "refine/parts/cut.h"
 
@@ -20,14 +21,34 @@ constexpr double rounding_share = 0x1p-44; // of about a period
 // In units of about a period. Solvers and places have the rounding of the largest parameters.
 double near_of(const Covering &covering, double tolerance) {
     constexpr double rounding = 0x1p-38;
+    constexpr double largest = 0x1p480; // products of two parameters are representable
     double share = 1;
     for (const int k : {0, 1}) {
         const Interval domain = covering.domain(k);
+        if (!(covering.period(k) <= largest && covering.period(k) >= 1 / largest)) {
+            fail(Status::not_representable, "the domain is %s wide on axis %d, expected 2^-480 to 2^480",
+                 Number(covering.period(k)).text, k);
+        }
         share =
             std::max(share, std::max(std::abs(domain.lower), std::abs(domain.upper)) / covering.period(k));
     }
     const double given = covering.extent() > 0 ? tolerance / covering.extent() : 0;
     return std::max(rounding * share, given);
+}
+
+// Knots at which a curve may have kinks, and places at which it turns back.
+std::vector<double> breaks_of(const Spline &curve) {
+    std::vector<double> breaks = refine::rough_knots(curve.axis(0), 1);
+    const std::vector<double> turns = places_of_return(curve);
+    const double room = 0x1p-30 * (breaks.back() - breaks.front());
+    for (const double t : turns) {
+        const auto above = std::ranges::lower_bound(breaks, t);
+        if (above != breaks.begin() && above != breaks.end() && *above - t > room &&
+            t - *std::prev(above) > room) {
+            breaks.insert(above, t);
+        }
+    }
+    return breaks;
 }
 
 } // namespace
@@ -52,7 +73,7 @@ Arrangement::Arrangement(const Covering &covering, std::span<const ArrangedLoop>
     set_pieces();
 }
 
-// Where a curve has a kink two parts of it come as near as that all the way to it: as one curve it would be searched for meets with
+// Where a curve has a kink, or turns back, two parts of it come as near as that all the way to it: as one curve it would be searched for meets with
 // itself around each.
 std::vector<ClosedLoop> Arrangement::smooth_parts() {
     std::vector<ClosedLoop> result;
@@ -61,8 +82,7 @@ std::vector<ClosedLoop> Arrangement::smooth_parts() {
         parts.turn = loops_[i].placed.turn;
         for (size_t j = 0; j < loops_[i].placed.curves.size(); ++j) {
             const PlacedCurve &whole = loops_[i].placed.curves[j];
-            const refine::PartedSpline split =
-                refine::split_axis(whole.curve, 0, refine::rough_knots(whole.curve->axis(0), 1));
+            const refine::PartedSpline split = refine::split_axis(whole.curve, 0, breaks_of(*whole.curve));
             for (int64_t part = 0; part < split.size(); ++part) {
                 smooth_.push_back({split.part(part), whole.shift});
                 parts.curves.push_back(smooth_.back());
