@@ -302,6 +302,45 @@ static void faces_trimmed_by_surfaces(void) {
     nurbs_destroy(flat);
 }
 
+/* A curve that runs back over itself bounds nothing, alone and across a square. */
+static void curves_that_turn_back(void) {
+    const double tips[][8] = {
+        {0, 0, 1, 0, 0, 0, 0, 0}, {0, 0, 2, 1, 1, 0.5, 0, 0}, {0, 0, 3, 0, -1, 0, 0, 0}};
+    for (int i = 0; i < 3; ++i) {
+        nurbs *fold = NULL;
+        const int32_t degree = i == 0 ? 2 : 3;
+        CHECK_OK(nurbs_create_bezier(1, &degree, 2, tips[i], 0, 0, NULL, 0, &fold));
+        nurbs_model *model = NULL;
+        nurbs *square_there = rectangle(-1, -1, 0.5, 2);
+        CHECK_OK(nurbs_region_create(1, CURVES(fold), NURBS_FILL_NON_ZERO, 0, &model));
+        check_model(model, 0, 0, 0, 0);
+        CHECK_OK(nurbs_region_create(2, CURVES(fold, square_there), NURBS_FILL_EVEN_ODD, 0, &model));
+        check_model(model, 1, 1, 1, 4.5);
+        nurbs_destroy(fold);
+        nurbs_destroy(square_there);
+    }
+}
+
+/* Regions whose areas no double holds are refused, others are regions. */
+static void sizes_of_regions(void) {
+    const double sizes[] = {1e-300, 1e-100, 1e100, 1e200};
+    for (int i = 0; i < 4; ++i) {
+        nurbs *outline = rectangle(0, 0, sizes[i], sizes[i]);
+        nurbs_model *model = NULL;
+        if (i == 0 || i == 3) {
+            CHECK_FAILS(nurbs_region_create(1, CURVES(outline), 1, 0, &model), NURBS_ERROR_NOT_REPRESENTABLE,
+                        "wide");
+        } else {
+            int64_t faces = -1;
+            CHECK_OK(nurbs_region_create(1, CURVES(outline), 1, 0, &model));
+            CHECK_OK(nurbs_model_counts(model, NULL, NULL, &faces, NULL, NULL));
+            CHECK_INT(faces, 1);
+            nurbs_model_destroy(model);
+        }
+        nurbs_destroy(outline);
+    }
+}
+
 /* A face is never lost without a word. */
 static void faces_smaller_than_the_tolerance(void) {
     nurbs *surface = plane(), *loop = square(0, 1);
@@ -337,6 +376,8 @@ int main(void) {
     a_cylinder_is_divided();
     a_sphere_is_divided();
     faces_trimmed_by_surfaces();
+    curves_that_turn_back();
+    sizes_of_regions();
     faces_smaller_than_the_tolerance();
     return check_summary("regions_test");
 }

