@@ -8278,7 +8278,8 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * \param[in] rule one of the NURBS_FILL_ constants.
  * \param[in] tolerance the largest distance that counts as none, >= 0.
  * \param[out] out the new model, its unit left open.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN; _NOT_REPRESENTABLE also
+ *   for curves that extend over less than 2^-480 or more than 2^480, of which no areas are told;
  *   _RULE for another rule, _GAP naming a curve that jumps, or does not begin where the one before it ends, or a loop that
  *   does not close, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
