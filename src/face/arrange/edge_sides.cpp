@@ -16,7 +16,12 @@ constexpr int most_probes = 16;
 
 void add_steps(const Arrangement &arrangement, PassedSums &sums, size_t edge, int times) {
     for (const PassedSum &step : arrangement.edges()[edge].steps) {
-        sums.push_back({step.loop, step.value * times});
+        const auto own = std::ranges::find(sums, step.loop, &PassedSum::loop); // owners are few
+        if (own == sums.end()) {
+            sums.push_back({step.loop, step.value * times});
+        } else {
+            own->value += step.value * times;
+        }
     }
 }
 
