@@ -258,7 +258,10 @@ void trim(Input &in, const Faces &faces) {
         for (const int32_t side : {NURBS_TRIM_FRONT, other}) {
             nurbs_model *out = poison_model();
             kept.push_back(
-                MODEL_MADE(nurbs_face_trim_with(face, cutter.get(), side, tolerance, &call, &out), out));
+                MODEL_MADE(tolerance > 1 && in.rarely()
+                               ? nurbs_face_trim(face, cutter.get(), side, tolerance, &out)
+                               : nurbs_face_trim_with(face, cutter.get(), side, tolerance, &call, &out),
+                           out));
         }
         if (!kept[0] || !kept[1] || other != NURBS_TRIM_BACK || tolerance > 1e-6 || !is_small(faces)) {
             continue;
