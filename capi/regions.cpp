@@ -7,6 +7,7 @@
 #include "base/checked.h"
 #include "base/error.h"
 #include "base/tolerance.h"
+#include "face/arrange/kept_side.h"
 #include "face/arrange/regions.h"
 #include "face/arrange/split.h"
 #include "model/from_faces.h"
@@ -26,6 +27,15 @@ static_assert(static_cast<int>(face::RegionRule::either) == NURBS_REGION_UNION);
 static_assert(static_cast<int>(face::RegionRule::both) == NURBS_REGION_INTERSECTION);
 static_assert(static_cast<int>(face::RegionRule::difference) == NURBS_REGION_DIFFERENCE);
 static_assert(static_cast<int>(face::RegionRule::one) == NURBS_REGION_EITHER);
+
+static_assert(static_cast<int>(face::SurfaceSide::front) == NURBS_TRIM_FRONT);
+static_assert(static_cast<int>(face::SurfaceSide::back) == NURBS_TRIM_BACK);
+
+void check_side(int32_t side) {
+    if (side != NURBS_TRIM_FRONT && side != NURBS_TRIM_BACK) {
+        fail(Status::rule, "side = %d, expected one of the NURBS_TRIM_ constants", side);
+    }
+}
 
 void check_rule(int32_t rule, int32_t last, const char *names) {
     if (rule < 1 || rule > last) {
@@ -123,4 +133,27 @@ nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs
 nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t count, const nurbs *const *curves,
                                    double tolerance, const nurbs_call_options *call, nurbs_model **out) {
     return watched(call, out, [&] { return nurbs_face_split(face, count, curves, tolerance, out); });
+}
+
+nurbs_status nurbs_face_trim(const nurbs_face *face, const nurbs *surface, int32_t side, double tolerance,
+                             nurbs_model **out) {
+    return guard([&] {
+        require_out(out);
+        const face::Face &own = face_of(face);
+        check_dimension(*own.surface(), 3, 3, "the surface of the face");
+        const Spline &other = named(surface, "surface");
+        check_kind(other, 2, "surface");
+        check_dimension(other, 3, 3, "surface");
+        check_side(side);
+        check_positive_tolerance(tolerance);
+        check_finite_tolerance(tolerance);
+        const auto kept =
+            face::kept_side(own, surface->spline, static_cast<face::SurfaceSide>(side), tolerance);
+        give(model::model_of_faces(kept, 0), out);
+    });
+}
+
+nurbs_status nurbs_face_trim_with(const nurbs_face *face, const nurbs *surface, int32_t side,
+                                  double tolerance, const nurbs_call_options *call, nurbs_model **out) {
+    return watched(call, out, [&] { return nurbs_face_trim(face, surface, side, tolerance, out); });
 }

@@ -8492,6 +8492,12 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * leaves 2^-37 of the size of the domain, about 7e-12, in any case, and as much of the largest parameter. Farther than some of
  * that, and of the tolerance, from the curves the result is right. Where that cannot be told the call fails with NURBS_ERROR_NOT_CONVERGED and names the place.
  *
+ * **Surfaces that close up.** Along axes whose ends are one curve of space, faces and curves lie in the plane that copies of the domain
+ * cover: curves may run over seams, wind around as often as they like, and begin in any copy. Poles are points, however long they are in
+ * the domain: curves come to them and leave them in any direction, parts on both sides of such a curve are apart there, and no part
+ * has an edge along a pole. Before parts go out it is checked that they cover as much of the domain as they should: what fails
+ * that is NURBS_ERROR_NOT_CONVERGED.
+ *
  * A region is a model of faces of one surface, none for the empty region. Each face is in one piece, with one loop around it
  * and one around each hole; loops do not come to a place twice, but may touch each other in nodes.
  * @{ */
@@ -8522,7 +8528,8 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * \param[in] rule one of the NURBS_FILL_ constants.
  * \param[in] tolerance the largest distance that counts as none, >= 0.
  * \param[out] out the new model, its unit left open.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN; _NOT_REPRESENTABLE also
+ *   for curves that extend over less than 2^-480 or more than 2^480, of which no areas are told;
  *   _RULE for another rule, _GAP naming a curve that jumps, or does not begin where the one before it ends, or a loop that
  *   does not close, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
@@ -8543,7 +8550,7 @@ NURBS_API nurbs_status nurbs_region_create_with(int64_t count, const nurbs *cons
  * least one of them covers, so that the union of any number of faces is that of all of them with none. Borders that both
  * have in common, or parts of borders, count once, with what is at their sides.
  *
- * Faces are of one surface that closes up along no axis and has no pole, or of planes that nurbs_region_create() made, over whatever
+ * Faces are of one surface, or of planes that nurbs_region_create() made, over whatever
  * squares. Those of the result are of the same surface, or of such a plane; their edges in space are made anew, and their
  * tolerances are as large as those that were given.
  * \param[in] rule one of the NURBS_REGION_ constants.
@@ -8554,7 +8561,7 @@ NURBS_API nurbs_status nurbs_region_create_with(int64_t count, const nurbs *cons
  * \param[in] tolerance the largest distance that counts as none, >= 0; at least that of the faces is.
  * \param[out] out the new model, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another
- *   rule, _INCOMPATIBLE naming a face of another surface, or if the surface closes up or has a pole, _GAP naming a face whose loops have
+ *   rule, _INCOMPATIBLE naming a face of another surface, _GAP naming a face whose loops have
  *   larger gaps than its tolerance, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_region_combine(int32_t rule, int64_t count_a, const nurbs_face *const *a,
@@ -8581,15 +8588,15 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
  * Parts to both sides of a curve have a common edge in space with a common key, and nodes are its ends, bit for bit: the
  * result is closed along all of its cuts without being sewn. Coedges that no curve cuts keep the edges in space and keys that
  * they were given; edges of others are made (nurbs_face_edge()), with keys above those of the face.
- * \param[in] face a face of a surface of dimension 3 that closes up along no axis and has no pole.
+ * \param[in] face a face of a surface of dimension 3.
  * \param[in] count number of curves.
- * \param[in] curves [count] curves of dimension 2 in the domain of the surface, with positive weights.
+ * \param[in] curves [count] curves of dimension 2 in the domain of the surface, or in the plane that covers it, with positive weights.
  * \param[in] tolerance the largest distance in space that counts as none, >= 0, as far as parameters move points evenly over
  *   the surface; at least that of the face is.
  * \param[out] out the new model of the parts, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
- *   _INCOMPATIBLE if the surface closes up or has a pole, _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance
- *   of the face, _NOT_CONVERGED where rounding would have to decide.
+ *   _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance
+ *   of the face, _NOT_CONVERGED where rounding would have to decide, or if the face is no larger than the tolerance.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs *const *curves,
                                         double tolerance, nurbs_model **out);
@@ -8603,6 +8610,46 @@ NURBS_API nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, c
 NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t count,
                                              const nurbs *const *curves, double tolerance,
                                              const nurbs_call_options *call, nurbs_model **out);
+
+/** \name Which side of a surface is kept
+ * @{ */
+#define NURBS_TRIM_FRONT 1   /**< to which its normals N = S_u x S_v point */
+#define NURBS_TRIM_BACK (-1) /**< the other one */
+/** @} */
+
+/** \brief What of a face lies on one side of a surface: the parts into which the curves of nurbs_surface_intersections() divide
+ * it, as nurbs_face_split() makes them, without those on the other side. None if all of it is there. What is kept for both sides
+ * makes up the face.
+ *
+ * Which side a part is on is proven. Beside a curve in which both meet its direction tells it: what lies to its left in the
+ * domain of the face is in front. A part that the surface does not come to is in front if P - Q points as N does, where P is a
+ * place in it and Q the nearest point of the surface (nurbs_closest_points()), certified, and not on its border: there the
+ * surface tells no side. A surface has to divide the face from border to border; one that ends inside of it is
+ * refused. Where both only touch nothing is divided; as long as it is undecided in the face how they meet, as where they touch along curves, nothing is
+ * answered.
+ * \param[in] face a face of a surface of dimension 3.
+ * \param[in] surface of dimension 3, all of it; its own border does not trim it.
+ * \param[in] side one of the NURBS_TRIM_ constants.
+ * \param[in] tolerance > 0: the largest distance of the new borders from the surface, and what counts as no distance, as for
+ *   nurbs_face_split().
+ * \param[out] out the new model of the parts that are kept, its unit left open.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another side,
+ *   _INCOMPATIBLE if the surface ends inside of the face, or a part lies on both of its sides or beyond its border, _GAP
+ *   if loops of the face have larger gaps than its tolerance, _NOT_CONVERGED where it is undecided how both meet, or rounding would
+ *   have to decide.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_trim(const nurbs_face *face, const nurbs *surface, int32_t side,
+                                       double tolerance, nurbs_model **out);
+
+/** \brief nurbs_face_trim() as a call that can be watched and ended.
+ * \param[in] face,surface,side,tolerance as for nurbs_face_trim().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new model.
+ * \return as for nurbs_face_trim(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_face_trim_with(const nurbs_face *face, const nurbs *surface, int32_t side,
+                                            double tolerance, const nurbs_call_options *call,
+                                            nurbs_model **out);
 /** @} */
 
 /** \defgroup mesh Meshes

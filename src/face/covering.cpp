@@ -102,6 +102,28 @@ Point2 Covering::in_domain(Point2 x) const noexcept {
     return x;
 }
 
+Point2 Covering::canonical(Point2 x) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval range = domain_[k];
+        if (closed_[k] && !(range.lower <= x[k] && x[k] < range.upper)) {
+            const double length = period(static_cast<int>(k));
+            x[k] -= std::floor((x[k] - range.lower) / length) * length;
+            x[k] = x[k] < range.upper ? std::max(x[k], range.lower) : range.lower;
+        }
+    }
+    return x;
+}
+
+Covering Covering::begun_at(const Point2 &lower) const noexcept {
+    Covering result = *this;
+    for (size_t k = 0; k < 2; ++k) {
+        if (closed_[k]) {
+            result.domain_[k] = {lower[k], lower[k] + period(static_cast<int>(k))};
+        }
+    }
+    return result;
+}
+
 Point2 Covering::nearest_copy(Point2 x, const Point2 &to) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         if (closed_[k]) {

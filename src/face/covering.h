@@ -35,6 +35,10 @@ public:
 
     // The place in the domain that a place of the plane covers; on axes that are not closed, the nearest one.
     [[nodiscard]] Point2 in_domain(Point2 x) const noexcept;
+    // The copy of a place on closed axes in [lower, upper) of the domain; as it is if it lies there already.
+    [[nodiscard]] Point2 canonical(Point2 x) const noexcept;
+    // The same plane covered by copies of a domain that begins at another place on closed axes.
+    [[nodiscard]] Covering begun_at(const Point2 &lower) const noexcept;
     // The copy of a place nearest to another one.
     [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
     // Calls visit(move) for the moves by periods of closed axes, none of them among these, that bring a box of the plane into

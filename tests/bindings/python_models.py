@@ -214,6 +214,16 @@ class Models(unittest.TestCase):
         self.assertEqual(status_of(lambda: nurbs.Model.combine(0, disk.faces)), nurbs.NURBS_ERROR_RULE)
         self.assertEqual(status_of(lambda: disk.faces[0].split([across], work=1)), nurbs.NURBS_ERROR_WORK)
 
+    def test_faces_trimmed_by_surfaces(self):
+        ball, plane = nurbs.Face(nurbs.sphere()), nurbs.plane([4, 0, 0], [0, 4, 0], [-2, -2, 0.5])
+        cap, rest = (ball.trim(plane, side, 1e-9) for side in (nurbs.NURBS_TRIM_FRONT, nurbs.NURBS_TRIM_BACK))
+        self.assertAlmostEqual(cap.faces[0].area(1e-9).value, math.pi, 6)
+        self.assertAlmostEqual(rest.faces[0].area(1e-9).value, 3 * math.pi, 6)
+        self.assertEqual(len(nurbs.Model.trim(ball, nurbs.sphere(1, [9, 0, 0]), nurbs.NURBS_TRIM_FRONT, 1e-9).faces), 1)
+        self.assertEqual(status_of(lambda: ball.trim(plane, 0, 1e-9)), nurbs.NURBS_ERROR_RULE)
+        self.assertEqual(status_of(lambda: ball.trim(plane, nurbs.NURBS_TRIM_FRONT, 0)), nurbs.NURBS_ERROR_TOLERANCE)
+        self.assertEqual(status_of(lambda: ball.trim(plane, 1, 1e-9, work=1)), nurbs.NURBS_ERROR_WORK)
+
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)
         self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))

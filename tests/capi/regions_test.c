@@ -187,19 +187,171 @@ static void what_is_refused(void) {
     nurbs_destroy(space);
 }
 
-static void surfaces_that_close_up(void) {
-    nurbs_model *out = NULL;
-    nurbs *cylinder = NULL, *curve = segment(0, 0, 1, 1);
+static void check_split(const nurbs_face *face, nurbs *curve, int64_t faces, int64_t edges, int64_t vertices,
+                        double area) {
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_face_split(face, 1, CURVES(curve), 0, &model));
+    check_model(model, faces, edges, vertices, area);
+    nurbs_destroy(curve);
+}
+
+/* Around, over the seam and up. */
+static void a_cylinder_is_divided(void) {
+    nurbs *cylinder = NULL;
     nurbs_face *face = NULL;
-    CHECK_OK(nurbs_surface_cylinder(VALUES(0, 0, 0), VALUES(0, 0, 1), VALUES(1, 0, 0), 1, 2, 0,
-                                    6.283185307179586, NURBS_ARC_QUARTERS, &cylinder));
+    CHECK_OK(nurbs_surface_cylinder(VALUES(0, 0, 0), VALUES(0, 0, 1), VALUES(1, 0, 0), 1, 2, 0, 2 * pi_,
+                                    NURBS_ARC_QUARTERS, &cylinder));
     CHECK_OK(nurbs_face_create(cylinder, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
-    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(curve), 0, &out), NURBS_ERROR_INCOMPATIBLE, "axis");
-    CHECK_FAILS(nurbs_region_combine(1, 1, (const nurbs_face *const *)&face, 0, NULL, 0, &out),
-                NURBS_ERROR_INCOMPATIBLE, "axis");
+    double u[2];
+    CHECK_OK(nurbs_domain(cylinder, 0, u));
+    const double area = 4 * pi_, period = u[1] - u[0];
+    check_split(face, segment(u[0] + 0.2, 0.5, u[1] + 0.2, 0.5), 2, 3, 3, area);
+    check_split(face, segment(u[0] + 0.2, 0.5, u[1], 0.5), 1, 2, 2, area);
+    check_split(face, segment(u[0] + 0.2, 0, u[0] + 3 * period, 1), 1, 2, 2, area);
+    check_split(face, circle_in_domain(u[1], 0.5, 0.2), 2, 3, 3, area);
     nurbs_face_destroy(face);
     nurbs_destroy(cylinder);
+}
+
+/* By the equator, a meridian circle in two halves, and the spiral between the poles. */
+static void a_sphere_is_divided(void) {
+    nurbs *sphere = NULL;
+    nurbs_face *face = NULL;
+    nurbs_model *model = NULL;
+    CHECK_OK(nurbs_surface_sphere(NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &sphere));
+    CHECK_OK(nurbs_face_create(sphere, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    double u[2], v[2];
+    CHECK_OK(nurbs_domain(sphere, 0, u));
+    CHECK_OK(nurbs_domain(sphere, 1, v));
+    const double half = (u[1] - u[0]) / 2, middle = (v[0] + v[1]) / 2;
+    check_split(face, segment(u[0], middle, u[1], middle), 2, 1, 1, 4 * pi_);
+    check_split(face, segment(u[0], v[0], u[0] + 2 * half, v[1]), 1, 0, 0, 4 * pi_);
+    nurbs *first = segment(u[0], v[0], u[0], v[1]), *second = segment(u[0] + half, v[0], u[0] + half, v[1]);
+    CHECK_OK(nurbs_face_split(face, 2, CURVES(first, second), 0, &model));
+    nurbs_face *parts[] = {face_at(model, 0), face_at(model, 1)};
+    check_model(model, 2, 2, 2, 4 * pi_);
+    CHECK_OK(
+        nurbs_region_combine(NURBS_REGION_UNION, 2, (const nurbs_face *const *)parts, 0, NULL, 0, &model));
+    check_model(model, 1, 0, 0, 4 * pi_);
+    nurbs_face_destroy(parts[0]);
+    nurbs_face_destroy(parts[1]);
+    nurbs_face_destroy(face);
+    nurbs_destroy(first);
+    nurbs_destroy(second);
+    nurbs_destroy(sphere);
+}
+
+static void check_trim(const nurbs_face *face, const nurbs *surface, int32_t side, int64_t faces,
+                       double area) {
+    nurbs_model *model = NULL;
+    int64_t count = -1;
+    double sum = 0;
+    CHECK_OK(nurbs_face_trim(face, surface, side, 1e-9, &model));
+    CHECK_OK(nurbs_model_counts(model, NULL, NULL, &count, NULL, NULL));
+    CHECK_INT(count, faces);
+    for (int64_t i = 0; i < count; ++i) {
+        nurbs_face *part = face_at(model, i);
+        double own = 0;
+        CHECK_OK(nurbs_face_area(part, 1e-9, &own, NULL));
+        sum += own;
+        nurbs_face_destroy(part);
+    }
+    CHECK_NEAR(&sum, &area, 1, 1e-6);
+    nurbs_model_destroy(model);
+}
+
+static nurbs *level_plane(double height, double half) {
+    nurbs *surface = NULL;
+    CHECK_OK(nurbs_surface_plane(3, VALUES(-half, -half, height), VALUES(2 * half, 0, 0),
+                                 VALUES(0, 2 * half, 0), &surface));
+    return surface;
+}
+
+/* A sphere by planes: through it, above it, and one that ends inside. */
+static void faces_trimmed_by_surfaces(void) {
+    nurbs *sphere = NULL, *across = level_plane(0.5, 2), *above = level_plane(1.5, 2),
+          *short_one = level_plane(0.5, 0.75), *curve = segment(0, 0, 1, 1), *flat = plane();
+    nurbs_face *face = NULL, *plain = NULL;
+    nurbs_model *out = NULL;
+    CHECK_OK(nurbs_surface_sphere(NULL, NULL, NULL, 1, NURBS_ARC_QUARTERS, &sphere));
+    CHECK_OK(nurbs_face_create(sphere, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    CHECK_OK(nurbs_face_create(flat, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &plain));
+    check_trim(face, across, NURBS_TRIM_FRONT, 1, pi_);
+    check_trim(face, across, NURBS_TRIM_BACK, 1, 3 * pi_);
+    check_trim(face, above, NURBS_TRIM_FRONT, 0, 0);
+    check_trim(face, above, NURBS_TRIM_BACK, 1, 4 * pi_);
+    CHECK_FAILS(nurbs_face_trim(face, short_one, NURBS_TRIM_FRONT, 1e-9, &out), NURBS_ERROR_INCOMPATIBLE,
+                "ends inside");
+    CHECK_FAILS(nurbs_face_trim(plain, flat, NURBS_TRIM_FRONT, 1e-9, &out), NURBS_ERROR_NOT_CONVERGED,
+                "undecided");
+    CHECK_FAILS(nurbs_face_trim(NULL, across, 1, 1e-9, &out), NURBS_ERROR_NULL, "face");
+    CHECK_FAILS(nurbs_face_trim(face, NULL, 1, 1e-9, &out), NURBS_ERROR_NULL, "surface");
+    CHECK_FAILS(nurbs_face_trim(face, curve, 1, 1e-9, &out), NURBS_ERROR_AXES, "surface");
+    CHECK_FAILS(nurbs_face_trim(face, across, 0, 1e-9, &out), NURBS_ERROR_RULE, "side = 0|NURBS_TRIM_");
+    CHECK_FAILS(nurbs_face_trim(face, across, 1, 0, &out), NURBS_ERROR_TOLERANCE, "tolerance = 0");
+    CHECK_FAILS(nurbs_face_trim(face, across, 1, INFINITY, &out), NURBS_ERROR_TOLERANCE, "tolerance");
+    CHECK_FAILS(nurbs_face_trim(face, across, 1, 1e-9, NULL), NURBS_ERROR_NULL, "out");
+    CHECK_INT(out == NULL, 1);
+    nurbs_face_destroy(face);
+    nurbs_face_destroy(plain);
+    nurbs_destroy(sphere);
+    nurbs_destroy(across);
+    nurbs_destroy(above);
+    nurbs_destroy(short_one);
     nurbs_destroy(curve);
+    nurbs_destroy(flat);
+}
+
+/* A curve that runs back over itself bounds nothing, alone and across a square. */
+static void curves_that_turn_back(void) {
+    const double tips[][8] = {
+        {0, 0, 1, 0, 0, 0, 0, 0}, {0, 0, 2, 1, 1, 0.5, 0, 0}, {0, 0, 3, 0, -1, 0, 0, 0}};
+    for (int i = 0; i < 3; ++i) {
+        nurbs *fold = NULL;
+        const int32_t degree = i == 0 ? 2 : 3;
+        CHECK_OK(nurbs_create_bezier(1, &degree, 2, tips[i], 0, 0, NULL, 0, &fold));
+        nurbs_model *model = NULL;
+        nurbs *square_there = rectangle(-1, -1, 0.5, 2);
+        CHECK_OK(nurbs_region_create(1, CURVES(fold), NURBS_FILL_NON_ZERO, 0, &model));
+        check_model(model, 0, 0, 0, 0);
+        CHECK_OK(nurbs_region_create(2, CURVES(fold, square_there), NURBS_FILL_EVEN_ODD, 0, &model));
+        check_model(model, 1, 1, 1, 4.5);
+        nurbs_destroy(fold);
+        nurbs_destroy(square_there);
+    }
+}
+
+/* Regions whose areas no double holds are refused, others are regions. */
+static void sizes_of_regions(void) {
+    const double sizes[] = {1e-300, 1e-100, 1e100, 1e200};
+    for (int i = 0; i < 4; ++i) {
+        nurbs *outline = rectangle(0, 0, sizes[i], sizes[i]);
+        nurbs_model *model = NULL;
+        if (i == 0 || i == 3) {
+            CHECK_FAILS(nurbs_region_create(1, CURVES(outline), 1, 0, &model), NURBS_ERROR_NOT_REPRESENTABLE,
+                        "wide");
+        } else {
+            int64_t faces = -1;
+            CHECK_OK(nurbs_region_create(1, CURVES(outline), 1, 0, &model));
+            CHECK_OK(nurbs_model_counts(model, NULL, NULL, &faces, NULL, NULL));
+            CHECK_INT(faces, 1);
+            nurbs_model_destroy(model);
+        }
+        nurbs_destroy(outline);
+    }
+}
+
+/* A face is never lost without a word. */
+static void faces_smaller_than_the_tolerance(void) {
+    nurbs *surface = plane(), *loop = square(0, 1);
+    nurbs_face *face = NULL;
+    nurbs_model *out = NULL;
+    CHECK_OK(nurbs_face_create(surface, 0, NULL, NULL, NULL, NULL, 1e-9, 0, NULL, &face));
+    CHECK_FAILS(nurbs_face_split(face, 1, CURVES(loop), 100, &out), NURBS_ERROR_NOT_CONVERGED, "tolerance");
+    CHECK_INT(out == NULL, 1);
+    nurbs_face_destroy(face);
+    nurbs_destroy(surface);
+    nurbs_destroy(loop);
 }
 
 static void watched_calls(void) {
@@ -210,6 +362,7 @@ static void watched_calls(void) {
     CHECK_FAILS(nurbs_region_create_with(0, NULL, 1, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
     CHECK_FAILS(nurbs_region_combine_with(1, 0, NULL, 0, NULL, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
     CHECK_FAILS(nurbs_face_split_with(NULL, 0, NULL, 0, &call, &out), NURBS_ERROR_OPTIONS, "work");
+    CHECK_FAILS(nurbs_face_trim_with(NULL, NULL, 1, 1, &call, &out), NURBS_ERROR_OPTIONS, "work");
 }
 
 int main(void) {
@@ -220,6 +373,11 @@ int main(void) {
     circles_that_touch();
     a_face_is_divided();
     what_is_refused();
-    surfaces_that_close_up();
+    a_cylinder_is_divided();
+    a_sphere_is_divided();
+    faces_trimmed_by_surfaces();
+    curves_that_turn_back();
+    sizes_of_regions();
+    faces_smaller_than_the_tolerance();
     return check_summary("regions_test");
 }

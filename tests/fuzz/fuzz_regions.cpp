@@ -171,6 +171,32 @@ void combine(Input &in, const Faces &a, const Faces &b) {
     }
 }
 
+// A cylinder, a sphere or a torus: the domain closes up, and has poles or none.
+Model any_round_face(Input &in) {
+    const double u[] = {0, 0, 1}, x[] = {1, 0, 0}, origin[] = {0, 0, 0}, turn = 6.283185307179586;
+    nurbs *surface = nullptr;
+    switch (in.below(3)) {
+    case 0:
+        FUZZ_REQUIRE(nurbs_surface_cylinder(origin, u, x, 1, 2, 0, turn, NURBS_ARC_QUARTERS, &surface) ==
+                     NURBS_OK);
+        break;
+    case 1:
+        FUZZ_REQUIRE(nurbs_surface_sphere(origin, u, x, 1, NURBS_ARC_QUARTERS, &surface) == NURBS_OK);
+        break;
+    default:
+        FUZZ_REQUIRE(nurbs_surface_torus(origin, u, x, 3, 1, 0, turn, 0, turn, NURBS_ARC_QUARTERS,
+                                         &surface) == NURBS_OK);
+    }
+    const fuzz::Handle own(surface);
+    nurbs_face *face = nullptr;
+    FUZZ_REQUIRE(nurbs_face_create(surface, 0, nullptr, nullptr, nullptr, nullptr, 1e-9, 0, nullptr, &face) ==
+                 NURBS_OK);
+    const Face given(face);
+    nurbs_model *model = nullptr;
+    FUZZ_REQUIRE(nurbs_model_create(1, &face, 1, &model) == NURBS_OK);
+    return Model(model);
+}
+
 void split(Input &in, const Faces &faces) {
     const Curves curves(in, in.below(3));
     const double tolerance = any_tolerance(in);
@@ -197,6 +223,62 @@ void split(Input &in, const Faces &faces) {
     }
 }
 
+// Over [0, 1]^2, flat or bent, so that it meets the plane of regions in lines or other curves, or touches it.
+nurbs *any_cutter(Input &in) {
+    if (in.rarely()) {
+        return fuzz::create(fuzz::any_spline(in));
+    }
+    fuzz::Spline s;
+    const int32_t degree = 1 + in.below(2);
+    const bool coarse = in.coin();
+    s.degrees = {degree, 1};
+    s.counts = {degree + 1, 2};
+    for (const int32_t p : {degree, 1}) {
+        s.knots.insert(s.knots.end(), static_cast<size_t>(p) + 1, 0.0);
+        s.knots.insert(s.knots.end(), static_cast<size_t>(p) + 1, 1.0);
+    }
+    s.dim = 3;
+    s.total = 2 * (degree + 1);
+    for (int64_t i = 0; i < s.total; ++i) {
+        for (const double z : {0.0, 0.0, 1.0}) {
+            s.points.push_back(3 * coordinate(in, coarse) - 5 - z);
+        }
+    }
+    return fuzz::create(s);
+}
+
+// A place that both sides tell is in one of them if it is in the face.
+void trim(Input &in, const Faces &faces) {
+    const fuzz::Handle cutter(any_cutter(in));
+    const double tolerance = in.rarely() ? in.anything() : std::ldexp(1.0, -10 - in.below(30));
+    const nurbs_call_options call = limited(3'000'000);
+    for (const nurbs_face *face : faces.given) {
+        std::vector<Model> kept;
+        const int32_t other = in.rarely() ? in.below(5) - 2 : NURBS_TRIM_BACK;
+        for (const int32_t side : {NURBS_TRIM_FRONT, other}) {
+            nurbs_model *out = poison_model();
+            kept.push_back(
+                MODEL_MADE(tolerance > 1 && in.rarely()
+                               ? nurbs_face_trim(face, cutter.get(), side, tolerance, &out)
+                               : nurbs_face_trim_with(face, cutter.get(), side, tolerance, &call, &out),
+                           out));
+        }
+        if (!kept[0] || !kept[1] || other != NURBS_TRIM_BACK || tolerance > 1e-6 || !is_small(faces)) {
+            continue;
+        }
+        const Faces front(kept[0].get()), back(kept[1].get());
+        for (int i = in.below(8); i > 0; --i) {
+            const double x[] = {6 * in.unit() - 0.5, 6 * in.unit() - 0.5};
+            int32_t whole = 7;
+            FUZZ_REQUIRE(nurbs_face_classify(face, 1, x, 0, 0, 1e-2, &whole) == NURBS_OK);
+            const int32_t ahead = front.side(x, 0), behind = back.side(x, 0);
+            FUZZ_REQUIRE(whole == 0 || ahead == 0 || behind == 0 ||
+                         (ahead > 0) + (behind > 0) >= (whole > 0 ? 1 : 0));
+            FUZZ_REQUIRE(whole >= 0 || (ahead <= 0 && behind <= 0));
+        }
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -208,6 +290,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     if (in.coin()) {
         split(in, of_a);
+    }
+    if (in.below(4) == 0) {
+        const Model round = any_round_face(in);
+        split(in, Faces(round.get()));
+    }
+    if (in.coin()) {
+        trim(in, of_b);
     }
     return 0;
 }

@@ -4757,6 +4757,27 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_split_with
+        !> What of a face lies on one side of a surface: the parts into which the curves of
+        !> nurbs_surface_intersections() divide it, as nurbs_face_split() makes them, without those on the
+        !> other side.
+        function nurbs_face_trim(face, surface, side, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face, surface
+            integer(c_int32_t), value :: side
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_trim
+        !> nurbs_face_trim() as a call that can be watched and ended.
+        function nurbs_face_trim_with(face, surface, side, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: face, surface
+            integer(c_int32_t), value :: side
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_face_trim_with
         ! --- Meshes
         !> A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
         !> they replace, both ways, is at most `chord`.

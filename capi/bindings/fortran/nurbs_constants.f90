@@ -523,6 +523,10 @@ module nurbs_constants
     ! what is in a or in b and not in both: the symmetric difference
     integer(c_int32_t), parameter :: NURBS_REGION_EITHER = 4
 
+    ! --- Which side of a surface is kept
+    integer(c_int32_t), parameter :: NURBS_TRIM_FRONT = 1  ! to which its normals N = S_u x S_v point
+    integer(c_int32_t), parameter :: NURBS_TRIM_BACK = -1  ! the other one
+
     ! --- Flags of meshes
     ! nurbs_mesh_triangles() and its kind: corners are points, not vertices.
     integer(c_int32_t), parameter :: NURBS_MESH_WELDED = int(z'01000000', c_int32_t)

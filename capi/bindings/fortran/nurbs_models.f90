@@ -6,16 +6,16 @@ module nurbs_models
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_read_model, nurbs_read_model_file, nurbs_model_create, nurbs_model_sew, &
-        nurbs_region_create, nurbs_region_combine, nurbs_face_split, nurbs_model_counts, nurbs_model_face, &
-        nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
+        nurbs_region_create, nurbs_region_combine, nurbs_face_split, nurbs_face_trim, nurbs_model_counts, &
+        nurbs_model_face, nurbs_model_face_name, nurbs_model_face_solid, nurbs_model_face_layers, nurbs_model_edge, &
         nurbs_model_edge_uses, nurbs_model_edge_gaps, nurbs_model_vertex, nurbs_model_part, nurbs_model_use, &
         nurbs_model_instances, nurbs_model_rays, nurbs_model_ray_hits, nurbs_model_closest_points, &
         nurbs_model_classify, nurbs_model_area, nurbs_model_volume, nurbs_model_splines, nurbs_model_spline_layers, &
         nurbs_model_layer_count, nurbs_model_layer, nurbs_model_write_file, nurbs_model_from_bytes, &
         nurbs_read_model_with, nurbs_read_model_file_with, nurbs_model_sew_with, nurbs_region_create_with, &
-        nurbs_region_combine_with, nurbs_face_split_with, nurbs_model_rays_with, nurbs_model_ray_hits_with, &
-        nurbs_model_closest_points_with, nurbs_model_classify_with, nurbs_model_area_with, nurbs_model_volume_with, &
-        nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
+        nurbs_region_combine_with, nurbs_face_split_with, nurbs_face_trim_with, nurbs_model_rays_with, &
+        nurbs_model_ray_hits_with, nurbs_model_closest_points_with, nurbs_model_classify_with, nurbs_model_area_with, &
+        nurbs_model_volume_with, nurbs_model_write_file_with, nurbs_read_options, nurbs_write_options
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -28,7 +28,7 @@ module nurbs_models
     !> Faces and the edges that they share, in parts; an assignment makes another handle on the same model.
     type, extends(nurbs_model_handle), public :: nurbs_model
     contains
-        procedure :: read, read_file, create, sew, region, combine, split, counts, face, face_name, face_solid
+        procedure :: read, read_file, create, sew, region, combine, split, trim, counts, face, face_name, face_solid
         procedure :: face_layers, edge, edge_uses, edge_gaps, vertex, part, get_use, instances, rays, ray_hits
         procedure :: closest_points, classify, get_area, get_volume, splines, spline_layers, layer_count, layer
         procedure :: write_file, from_bytes
@@ -180,6 +180,27 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine split
+
+    !> What of a face lies on one side of a surface, which divides it where both meet. side is one of the NURBS_TRIM_
+    !> constants.
+    subroutine trim(this, face, surface, side, tolerance, status, call)
+        class(nurbs_model), intent(inout) :: this
+        class(nurbs_face), intent(in) :: face
+        class(nurbs_spline), intent(in) :: surface
+        integer(c_int32_t), intent(in) :: side
+        real(c_double), intent(in) :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_face_trim_with(face%handle, surface%handle, side, tolerance, watched(call), made)
+        else
+            code = nurbs_face_trim(face%handle, surface%handle, side, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine trim
 
     !> How much it holds.
     subroutine counts(this, parts, uses, faces, edges, vertices, status)

@@ -20,6 +20,10 @@
 namespace libnurbs {
 inline namespace NURBS_CPP_POLICY {
 
+/// Which side of a surface is kept of a face.
+inline constexpr std::int32_t trim_front = NURBS_TRIM_FRONT;
+inline constexpr std::int32_t trim_back = NURBS_TRIM_BACK;
+
 /// On which side of the faces of a model a point is.
 inline constexpr std::int32_t side_inside = NURBS_SIDE_INSIDE;
 inline constexpr std::int32_t side_on = NURBS_SIDE_ON;
@@ -217,6 +221,19 @@ public:
         const detail::Watch watch(call);
         return detail::made<Model>(nurbs_face_split_with, face.get(), detail::length(curves),
                                    detail::handle_list(curves).data(), tolerance, watch.get());
+    }
+    /// What of a face lies on one side of a surface, which divides it where both meet. side is one of the trim_
+    /// constants.
+    [[nodiscard]] static Returned<Model> trim(const Face &face, const Spline &surface, std::int32_t side,
+                                              double tolerance) {
+        return detail::made<Model>(nurbs_face_trim, face.get(), surface.get(), side, tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Model> trim(const Face &face, const Spline &surface, std::int32_t side,
+                                              double tolerance, const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Model>(nurbs_face_trim_with, face.get(), surface.get(), side, tolerance,
+                                   watch.get());
     }
     /// How much it holds.
     [[nodiscard]] Returned<ModelCounts> counts() const {

@@ -4,6 +4,8 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "eval/curve_point.h"
+#include "face/arrange/returns.h"
 #include "intersect/pairs/periods.h"
 #include "refine/parts/cut.h"
 
@@ -14,17 +16,39 @@ namespace nrb::face {
 
 namespace {
 
+constexpr double rounding_share = 0x1p-44; // of about a period
+
 // In units of about a period. Solvers and places have the rounding of the largest parameters.
 double near_of(const Covering &covering, double tolerance) {
     constexpr double rounding = 0x1p-38;
+    constexpr double largest = 0x1p480; // products of two parameters are representable
     double share = 1;
     for (const int k : {0, 1}) {
         const Interval domain = covering.domain(k);
+        if (!(covering.period(k) <= largest && covering.period(k) >= 1 / largest)) {
+            fail(Status::not_representable, "the domain is %s wide on axis %d, expected 2^-480 to 2^480",
+                 Number(covering.period(k)).text, k);
+        }
         share =
             std::max(share, std::max(std::abs(domain.lower), std::abs(domain.upper)) / covering.period(k));
     }
     const double given = covering.extent() > 0 ? tolerance / covering.extent() : 0;
     return std::max(rounding * share, given);
+}
+
+// Knots at which a curve may have kinks, and places at which it turns back.
+std::vector<double> breaks_of(const Spline &curve) {
+    std::vector<double> breaks = refine::rough_knots(curve.axis(0), 1);
+    const std::vector<double> turns = places_of_return(curve);
+    const double room = 0x1p-30 * (breaks.back() - breaks.front());
+    for (const double t : turns) {
+        const auto above = std::ranges::lower_bound(breaks, t);
+        if (above != breaks.begin() && above != breaks.end() && *above - t > room &&
+            t - *std::prev(above) > room) {
+            breaks.insert(above, t);
+        }
+    }
+    return breaks;
 }
 
 } // namespace
@@ -42,25 +66,14 @@ void check_border_curves(std::span<const SplinePtr> curves) {
     }
 }
 
-void check_open(const Covering &covering) {
-    for (const int k : {0, 1}) {
-        if (covering.closed(k)) {
-            fail(Status::incompatible, "the surface closes up along axis %d", k);
-        }
-        if (covering.collapsed(k, 0) || covering.collapsed(k, 1)) {
-            fail(Status::incompatible, "an end of axis %d of the surface is a point", k);
-        }
-    }
-}
-
 Arrangement::Arrangement(const Covering &covering, std::span<const ArrangedLoop> loops, double tolerance)
-    : loops_(loops.begin(), loops.end()), near_(near_of(covering, tolerance)),
-      hits_(covering, smooth_parts(), near_), cuts_(hits_, near_) {
+    : given_(covering), covering_(covering), loops_(loops.begin(), loops.end()),
+      near_(near_of(covering, tolerance)), hits_(given_, smooth_parts(), near_), cuts_(given_, hits_, near_) {
     set_edges();
-    set_pieces(covering);
+    set_pieces();
 }
 
-// Where a curve has a kink two parts of it come as near as that all the way to it: as one curve it would be searched for meets with
+// Where a curve has a kink, or turns back, two parts of it come as near as that all the way to it: as one curve it would be searched for meets with
 // itself around each.
 std::vector<ClosedLoop> Arrangement::smooth_parts() {
     std::vector<ClosedLoop> result;
@@ -69,8 +82,7 @@ std::vector<ClosedLoop> Arrangement::smooth_parts() {
         parts.turn = loops_[i].placed.turn;
         for (size_t j = 0; j < loops_[i].placed.curves.size(); ++j) {
             const PlacedCurve &whole = loops_[i].placed.curves[j];
-            const refine::PartedSpline split =
-                refine::split_axis(whole.curve, 0, refine::rough_knots(whole.curve->axis(0), 1));
+            const refine::PartedSpline split = refine::split_axis(whole.curve, 0, breaks_of(*whole.curve));
             for (int64_t part = 0; part < split.size(); ++part) {
                 smooth_.push_back({split.part(part), whole.shift});
                 parts.curves.push_back(smooth_.back());
@@ -113,34 +125,98 @@ void Arrangement::set_edges() {
 void Arrangement::add_steps(Edge &edge) const {
     PassedSums steps;
     for (const Member &member : edge.members) {
-        const int32_t owner = loops_[origin(cuts_.edges()[member.cut]).loop].owner;
-        if (owner >= 0) {
-            steps.push_back({owner, member.against ? -1 : 1});
+        const ArrangedLoop &loop = loops_[origin(cuts_.edges()[member.cut]).loop];
+        if (loop.owner >= 0) {
+            steps.push_back({loop.owner, member.against ? -1 : 1});
         }
+        edge.in_a_point = edge.in_a_point || loop.in_a_point;
     }
     edge.steps = summed(std::move(steps));
     std::erase_if(edge.steps, [](const PassedSum &step) { return step.value == 0; });
 }
 
-void Arrangement::set_pieces(const Covering &covering) {
-    FoldedPieces folded;
+Point2 Arrangement::node_near(size_t node, const Point2 &x) const noexcept {
+    Point2 copy = given_.nearest_copy(nodes()[node], x);
+    for (const int k : {0, 1}) {
+        const auto [lower, upper] = given_.domain(k);
+        double &own = copy[static_cast<size_t>(k)];
+        for (const double end : {lower, upper}) {
+            const bool moved_to_end = given_.closed(k) && std::abs(own - end) <= 4 * eps * std::abs(upper);
+            own = moved_to_end ? end : own;
+        }
+    }
+    return copy;
+}
+
+// The part of a curve that an edge is, in the copy in which it begins at its node.
+PlacedCurve Arrangement::placed_part(const CutEdge &cut, Edge &edge) const {
+    const PlacedCurve &whole = smooth_[cut.curve];
+    PlacedCurve part{refine::restrict_axis(whole.curve, 0, cut.range.lower, cut.range.upper), whole.shift};
+    if (closes()) {
+        Point2 first, last;
+        eval::end_point(*part.curve, false, first.data());
+        eval::end_point(*part.curve, true, last.data());
+        const Point2 copy = given_.nearest_copy(first, nodes()[cut.from]), &end = nodes()[cut.to];
+        for (size_t k = 0; k < 2; ++k) {
+            const auto axis = static_cast<int>(k);
+            part.shift[k] = copy[k] - first[k];
+            const double far = last[k] + part.shift[k] - end[k];
+            edge.turns[k] = given_.closed(axis) ? static_cast<int>(std::round(far / given_.period(axis))) : 0;
+        }
+    }
+    return part;
+}
+
+TrimPieces Arrangement::plane_pieces() {
+    TrimPieces plane;
     Steps steps(std::ssize(edges_));
     for (size_t i = 0; i < edges_.size(); ++i) {
         const CutEdge &cut = cuts_.edges()[edges_[i].members.front().cut];
-        const PlacedCurve &whole = smooth_[cut.curve];
-        const SplinePtr part = refine::restrict_axis(whole.curve, 0, cut.range.lower, cut.range.upper);
-        first_pieces_.push_back(folded.pieces.all().size());
-        append_between({part, whole.shift}, static_cast<int32_t>(i), nodes()[cut.from], nodes()[cut.to],
-                       folded.pieces);
+        const PlacedCurve part = placed_part(cut, edges_[i]);
+        first_plane_.push_back(plane.all().size());
+        append_between(part, static_cast<int32_t>(i), nodes()[cut.from],
+                       moved(nodes()[cut.to], move_of(edges_[i].turns)), plane);
         steps.next();
     }
-    first_pieces_.push_back(folded.pieces.all().size());
-    columns_.emplace(std::move(folded), covering);
+    first_plane_.push_back(plane.all().size());
+    return plane;
+}
+
+void Arrangement::set_pieces() {
+    TrimPieces plane = plane_pieces();
+    if (closes()) {
+        set_folded(std::move(plane));
+    } else {
+        columns_.emplace(FoldedPieces{std::move(plane), {}}, covering_);
+        first_pieces_ = first_plane_;
+    }
+}
+
+void Arrangement::set_folded(TrimPieces plane) {
+    const Point2 unit = hits_.scaled({1, 1}), least{rounding_share / unit[0], rounding_share / unit[1]};
+    plane_ = std::move(plane);
+    covering_ = given_.begun_at(seams_for(*plane_, given_, least));
+    FoldedPieces folded = fold_chains(*plane_, covering_);
+    for (const int k : {0, 1}) {
+        if (covering_.closed(k)) {
+            contacts_[static_cast<size_t>(k)] =
+                seam_contacts(folded, covering_, k, least[static_cast<size_t>(1 - k)]);
+        }
+    }
+    size_t piece = 0;
+    for (size_t i = 0; i < edges_.size(); ++i) {
+        first_pieces_.push_back(piece);
+        while (piece < folded.pieces.all().size() &&
+               folded.pieces.all()[piece].loop == static_cast<int32_t>(i)) {
+            ++piece;
+        }
+    }
+    first_pieces_.push_back(piece);
+    columns_.emplace(std::move(folded), covering_);
 }
 
 double Arrangement::rounding() const noexcept {
-    constexpr double share = 0x1p-44;
-    return share / std::max(hits_.distance({0, 0}, {1, 0}), hits_.distance({0, 0}, {0, 1}));
+    return rounding_share / std::max(hits_.distance({0, 0}, {1, 0}), hits_.distance({0, 0}, {0, 1}));
 }
 
 void Arrangement::fail_undecided(const Point2 &x) const {

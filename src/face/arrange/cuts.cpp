@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "face/arrange/cuts.h"
 
-#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/numbers.h"
 
@@ -21,7 +20,8 @@ constexpr double widest_node = 16;
 
 } // namespace
 
-Cuts::Cuts(const LoopHits &hits, double near) : hits_(hits), near_(near) {
+Cuts::Cuts(const Covering &covering, const LoopHits &hits, double near)
+    : covering_(covering), hits_(hits), near_(near) {
     add_marks();
     add_marks_under_overlaps();
     marks_.assign(found_.begin(), found_.end());
@@ -44,7 +44,7 @@ void Cuts::add_marks() {
         add_marks(hit);
     }
     for (const LoopHit &hit : hits_.all()) {
-        if (hit.kind == HitKind::tangent || hit.kind == HitKind::undecided) {
+        if (hit.kind == HitKind::tangent || hit.kind == HitKind::undecided || is_short(hit)) {
             add_touch(hit);
         }
     }
@@ -52,7 +52,7 @@ void Cuts::add_marks() {
 
 // What is apart, if only by less than what is near, is no node.
 void Cuts::add_marks(const LoopHit &hit) {
-    if (hit.kind == HitKind::overlap) {
+    if (hit.kind == HitKind::overlap && !is_short(hit)) {
         const Interval b = hit.against ? Interval{hit.range_b.upper, hit.range_b.lower} : hit.range_b;
         add(hit.a, hit.range_a.lower);
         add(hit.a, hit.range_a.upper);
@@ -61,6 +61,11 @@ void Cuts::add_marks(const LoopHit &hit) {
     } else if (hit.kind == HitKind::crossing) {
         links_.emplace_back(add(hit.a, hit.at_a), add(hit.b, hit.at_b));
     }
+}
+
+// What curves have in common that is no longer than what one node may stand for is a touch.
+bool Cuts::is_short(const LoopHit &hit) const {
+    return hit.kind == HitKind::overlap && is_small(hit.a, hit.range_a) && is_small(hit.b, hit.range_b);
 }
 
 // Curves that touch are as near as rounding along a whole range. In it one node has to stand for all of them, so that one that is
@@ -176,24 +181,41 @@ void Cuts::join_marks() {
         sets.join(number(a), number(b));
     }
     std::vector<Point2> places;
-    std::vector<intersect::Box3> boxes;
     for (const Mark &mark : marks_) {
-        places.push_back(hits_.place(mark.curve, mark.at));
-        const Point2 scaled = hits_.scaled(places.back());
-        intersect::Box3 box;
-        box.lower = box.upper = {scaled[0], scaled[1], 0};
-        boxes.push_back(box);
+        places.push_back(covering_.canonical(hits_.place(mark.curve, mark.at)));
     }
-    const intersect::BoxTree tree(boxes);
-    for (size_t i = 0; i < marks_.size(); ++i) {
-        tree.walk_near({boxes[i].lower[0], boxes[i].lower[1], 0}, near_,
-                       [&](int32_t other) { sets.join(i, static_cast<size_t>(other)); });
-    }
+    join_near(places, sets);
     std::vector<size_t> names;
     for (size_t i = 0; i < marks_.size(); ++i) {
         names.push_back(sets.find(i));
     }
     set_nodes(names);
+}
+
+// Those at one end of a closed axis are near those at the other one.
+void Cuts::join_near(const std::vector<Point2> &places, DisjointSets &sets) const {
+    std::vector<intersect::Box3> boxes;
+    for (const Point2 &place : places) {
+        const Point2 scaled = hits_.scaled(place);
+        intersect::Box3 box;
+        box.lower = box.upper = {scaled[0], scaled[1], 0};
+        boxes.push_back(box);
+    }
+    const intersect::BoxTree tree(boxes);
+    const Point2 unit = hits_.scaled({1, 1}), reach{near_ / unit[0], near_ / unit[1]};
+    for (size_t i = 0; i < places.size(); ++i) {
+        const auto join = [&](const Point2 &move) {
+            const Point2 at = hits_.scaled(moved(places[i], move));
+            tree.walk_near({at[0], at[1], 0}, near_,
+                           [&](int32_t other) { sets.join(i, static_cast<size_t>(other)); });
+            return false;
+        };
+        join({0, 0});
+        covering_.any_move({places[i][0] - reach[0], places[i][1] - reach[1]},
+                           {places[i][0] + reach[0], places[i][1] + reach[1]}, [&](const Point2 &move) {
+                               return move != Point2{0, 0} && join(move);
+                           });
+    }
 }
 
 bool Cuts::is_end(const Mark &mark) const noexcept {
@@ -214,13 +236,14 @@ void Cuts::set_nodes(std::vector<size_t> &names) {
         const size_t name = names[i];
         if (numbers[name] == none) {
             numbers[name] = nodes_.size();
-            nodes_.push_back(hits_.place(marks_[best[name]].curve, marks_[best[name]].at));
+            const Mark &own = marks_[best[name]];
+            nodes_.push_back(covering_.canonical(hits_.place(own.curve, own.at)));
         }
         node_of_.push_back(numbers[name]);
-        if (hits_.distance(nodes_[node_of_[i]], hits_.place(marks_[i].curve, marks_[i].at)) >
-            widest_node * near_) {
+        const Point2 &node = nodes_[node_of_[i]], place = hits_.place(marks_[i].curve, marks_[i].at);
+        if (hits_.distance(covering_.nearest_copy(node, place), place) > widest_node * near_) {
             fail(Status::not_converged, "curves come undecidably near each other at (%s, %s)",
-                 Number(nodes_[node_of_[i]][0]).text, Number(nodes_[node_of_[i]][1]).text);
+                 Number(node[0]).text, Number(node[1]).text);
         }
     }
 }
@@ -269,14 +292,15 @@ void Cuts::add_pair(const LoopHit &hit, size_t edge) {
         if (other.range.lower <= foot && foot <= other.range.upper) {
             const bool same = own.from == (hit.against ? other.to : other.from) &&
                               own.to == (hit.against ? other.from : other.to);
-            if (!same) {
-                fail_at(hit);
+            if (same) {
+                pairs_.push_back({edge, i, hit.against});
+                return;
             }
-            pairs_.push_back({edge, i, hit.against});
-            return;
         }
     }
-    fail_at(hit);
+    if (!is_short(hit)) {
+        fail_at(hit);
+    }
 }
 
 // A place of a, where b is.

@@ -2,6 +2,7 @@
 // Curves of a domain cut wherever they meet.
 #pragma once
 
+#include "base/disjoint_sets.h"
 #include "face/checks/loop_hits.h"
 
 #include <set>
@@ -27,9 +28,9 @@ struct EdgePair {
 // near each other are one. The position of a node is that of an end of a curve, bit for bit, if there is one in it.
 class Cuts {
 public:
-    // near: in the units of the hits. Throws Status::not_converged where what curves have in common is left open, or differs
+    // near: in the units of the hits; nodes are in the domain along closed axes. Throws Status::not_converged where what curves have in common is left open, or differs
     // from one of them to the other.
-    Cuts(const LoopHits &hits, double near);
+    Cuts(const Covering &covering, const LoopHits &hits, double near);
 
     [[nodiscard]] const std::vector<Point2> &nodes() const noexcept { return nodes_; }
     // By curves and parameters, without those that are no longer than what is near.
@@ -45,6 +46,7 @@ private:
 
     void add_marks();
     void add_marks(const LoopHit &hit);
+    [[nodiscard]] bool is_short(const LoopHit &hit) const;
     void add_touch(const LoopHit &hit);
     [[nodiscard]] const Mark *mark_in(size_t curve, Interval range, double at) const;
     void add_marks_under_overlaps();
@@ -52,6 +54,7 @@ private:
     [[nodiscard]] double at_knot(size_t curve, double t) const;
     [[nodiscard]] bool is_small(size_t curve, Interval range) const;
     void join_marks();
+    void join_near(const std::vector<Point2> &places, DisjointSets &sets) const;
     void set_nodes(std::vector<size_t> &names);
     [[nodiscard]] bool is_end(const Mark &mark) const noexcept;
     void add_edges();
@@ -62,6 +65,7 @@ private:
     [[nodiscard]] Point2 beside(const LoopHit &hit, double t) const;
     [[noreturn]] void fail_at(const LoopHit &hit) const;
 
+    const Covering &covering_;
     const LoopHits &hits_;
     double near_;
     std::set<Mark> found_;

@@ -14,9 +14,27 @@ namespace {
 // Places of an edge that are looked at before it counts as hidden by others.
 constexpr int most_probes = 16;
 
+void add_steps(const Arrangement &arrangement, PassedSums &sums, size_t edge, int times) {
+    for (const PassedSum &step : arrangement.edges()[edge].steps) {
+        const auto own = std::ranges::find(sums, step.loop, &PassedSum::loop); // owners are few
+        if (own == sums.end()) {
+            sums.push_back({step.loop, step.value * times});
+        } else {
+            own->value += step.value * times;
+        }
+    }
+}
+
+PassedSums without_zeros(PassedSums sums) {
+    PassedSums result = summed(std::move(sums));
+    std::erase_if(result, [](const PassedSum &sum) { return sum.value == 0; });
+    return result;
+}
+
 class Beside {
 public:
-    Beside(const Arrangement &arrangement, size_t edge) : arrangement_(arrangement), edge_(edge) {}
+    Beside(const Arrangement &arrangement, const PassedSums &at_corner, size_t edge)
+        : arrangement_(arrangement), at_corner_(at_corner), edge_(edge) {}
 
     [[nodiscard]] std::optional<SideValues> find() const {
         const std::vector<const TrimPiece *> own = largest_first();
@@ -49,25 +67,16 @@ private:
     }
     // The values at a place above which a piece does not count; none if it lies on another one.
     [[nodiscard]] std::optional<PassedSums> values(const Point2 &x, const TrimPiece &except) const {
-        PassedSums sums;
+        PassedSums sums = at_corner_;
         const auto number = static_cast<size_t>(&except - columns().pieces().all().data());
-        const bool on = columns().walk(
-            x, number, [&](int32_t edge, int passed) { add_steps(sums, static_cast<size_t>(edge), passed); });
+        const bool on = columns().walk(x, number, [&](int32_t edge, int passed) {
+            add_steps(arrangement_, sums, static_cast<size_t>(edge), passed);
+        });
         return on ? std::nullopt : std::optional(without_zeros(std::move(sums)));
-    }
-    void add_steps(PassedSums &sums, size_t edge, int times) const {
-        for (const PassedSum &step : arrangement_.edges()[edge].steps) {
-            sums.push_back({step.loop, step.value * times});
-        }
-    }
-    static PassedSums without_zeros(PassedSums sums) {
-        PassedSums result = summed(std::move(sums));
-        std::erase_if(result, [](const PassedSum &sum) { return sum.value == 0; });
-        return result;
     }
     // With the step of the edge, from its right to its left or back.
     [[nodiscard]] PassedSums stepped(PassedSums from, int times) const {
-        add_steps(from, edge_, times);
+        add_steps(arrangement_, from, edge_, times);
         return without_zeros(std::move(from));
     }
     [[nodiscard]] SideValues sides_of(const PassedSums &found, bool is_left) const {
@@ -97,6 +106,7 @@ private:
     }
 
     const Arrangement &arrangement_;
+    const PassedSums &at_corner_;
     size_t edge_;
 };
 
@@ -104,8 +114,9 @@ private:
 // direction, and curves that do not count have the same at both sides.
 class EdgeChains {
 public:
-    explicit EdgeChains(const Arrangement &arrangement)
-        : arrangement_(arrangement), outs_(arrangement.nodes().size()), known_(arrangement.edges().size()) {
+    EdgeChains(const Arrangement &arrangement, const PassedSums &at_corner)
+        : arrangement_(arrangement), at_corner_(at_corner), outs_(arrangement.nodes().size()),
+          known_(arrangement.edges().size()) {
         for (size_t i = 0; i < arrangement.edges().size(); ++i) {
             for (const DirectedEdge edge : {DirectedEdge{i, false}, DirectedEdge{i, true}}) {
                 outs_[arrangement.from(edge)].push_back(edge);
@@ -116,7 +127,7 @@ public:
     [[nodiscard]] std::vector<SideValues> all() {
         for (size_t i = 0; i < known_.size(); ++i) {
             if (!known_[i]) {
-                known_[i] = Beside(arrangement_, i).find();
+                known_[i] = Beside(arrangement_, at_corner_, i).find();
                 if (!known_[i]) {
                     arrangement_.fail_undecided(arrangement_.nodes()[arrangement_.edges()[i].from]);
                 }
@@ -151,14 +162,25 @@ private:
     }
 
     const Arrangement &arrangement_;
+    const PassedSums &at_corner_;
     std::vector<std::vector<DirectedEdge>> outs_; // of each node
     std::vector<std::optional<SideValues>> known_;
 };
 
 } // namespace
 
-std::vector<SideValues> values_beside(const Arrangement &arrangement) {
-    return EdgeChains(arrangement).all();
+std::vector<SideValues> values_beside(const Arrangement &arrangement, const PassedSums &at_corner) {
+    return EdgeChains(arrangement, at_corner).all();
+}
+
+PassedSums values_at_top(const Arrangement &arrangement, const PassedSums &at_corner, double u) {
+    PassedSums sums = at_corner;
+    for (const SeamPassage &passage : arrangement.columns().passages()) {
+        if (passage.at > u) {
+            add_steps(arrangement, sums, static_cast<size_t>(passage.loop), passage.upwards);
+        }
+    }
+    return without_zeros(std::move(sums));
 }
 
 } // namespace nrb::face

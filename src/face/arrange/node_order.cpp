@@ -12,8 +12,8 @@ namespace {
 // A piece as an edge runs over it.
 struct Lead {
     DirectedEdge edge;
-    const TrimPiece *piece;
-    int sector; // of eight: even ones are the directions of the axes
+    size_t piece; // of those that are compared
+    int sector;   // of eight: even ones are the directions of the axes
 };
 
 int sign(double x) noexcept {
@@ -38,11 +38,12 @@ public:
     }
 
     // The first piece that leads farther from the node than rounding moves it.
-    [[nodiscard]] Lead lead(DirectedEdge edge) const {
-        const auto pieces = arrangement_.pieces(edge.edge);
-        const Point2 &node = arrangement_.nodes()[arrangement_.from(edge)];
+    [[nodiscard]] Lead lead(DirectedEdge edge) {
+        const auto pieces = arrangement_.plane_pieces(edge.edge);
+        const Point2 &node = edge.back ? pieces.back().end : pieces.front().start;
         constexpr double far_enough = 4;
-        Lead best{edge, nullptr, 0};
+        Lead best{edge, 0, 0};
+        const TrimPiece *found = nullptr;
         double farthest = -1;
         for (size_t i = 0; i < pieces.size(); ++i) {
             const TrimPiece &piece = pieces[edge.back ? pieces.size() - 1 - i : i];
@@ -50,25 +51,45 @@ public:
                          far = edge.back ? piece.start : piece.end;
             const double away = arrangement_.hits().distance(node, far);
             if (away > farthest) {
-                best = {edge, &piece, sector_of({far[0] - near[0], far[1] - near[1]}, room_)};
+                found = &piece;
+                best.sector = sector_of({far[0] - near[0], far[1] - near[1]}, room_);
                 farthest = away;
             }
             if (away > far_enough * arrangement_.near()) {
                 break;
             }
         }
+        best.piece = compared(*found, edge);
         return best;
+    }
+    // 1 if b is above a, -1 if below, 0 if rounding hides it.
+    [[nodiscard]] int order(const Lead &a, const Lead &b) const noexcept {
+        const TrimPieces &set = arrangement_.closes() ? moved_ : arrangement_.plane();
+        return set.order(set.all()[a.piece], set.all()[b.piece]);
     }
 
 private:
+    // Edges that come from another copy of the domain are moved to that of the node.
+    size_t compared(const TrimPiece &piece, DirectedEdge edge) {
+        const TrimPieces &plane = arrangement_.plane();
+        if (!arrangement_.closes()) {
+            return static_cast<size_t>(&piece - plane.all().data());
+        }
+        const Point2 by = arrangement_.move_of(arrangement_.edges()[edge.edge].turns),
+                     move = edge.back ? Point2{-by[0], -by[1]} : Point2{0, 0};
+        moved_.add_part(plane, piece, {0, 1}, moved(piece.start, move), moved(piece.end, move), move);
+        return moved_.all().size() - 1;
+    }
+
     const Arrangement &arrangement_;
     Point2 room_{};
+    TrimPieces moved_;
 };
 
 } // namespace
 
 void sort_around_node(const Arrangement &arrangement, std::vector<DirectedEdge> &edges) {
-    const Leads leads(arrangement);
+    Leads leads(arrangement);
     std::vector<Lead> sorted;
     bool undecided = false;
     // Pairs are compared once each, so that an order that rounding makes does no harm.
@@ -76,7 +97,7 @@ void sort_around_node(const Arrangement &arrangement, std::vector<DirectedEdge> 
         if (a.sector != b.sector) {
             return a.sector < b.sector;
         }
-        const int above = a.sector % 2 == 0 ? 0 : arrangement.columns().pieces().order(*a.piece, *b.piece);
+        const int above = a.sector % 2 == 0 ? 0 : leads.order(a, b);
         undecided = undecided || above == 0;
         return (a.sector == 1 || a.sector == 7) == (above > 0) && above != 0;
     };

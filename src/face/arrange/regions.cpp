@@ -5,7 +5,9 @@
 #include "base/numbers.h"
 #include "bounds/box.h"
 #include "eval/curve_point.h"
+#include "face/arrange/domain_area.h"
 #include "face/arrange/edge_sides.h"
+#include "face/arrange/face_loops.h"
 #include "face/arrange/parts.h"
 #include "face/arrange/plane_map.h"
 #include "spline/kind.h"
@@ -13,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace nrb::face {
 
@@ -76,27 +80,38 @@ public:
           map_(plane_map(*surface_)) {}
 
     [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
-    [[nodiscard]] const Covering &covering() const noexcept { return covering_; }
+    void add(const FacePtr &face, int32_t owner) {
+        std::ranges::move(loops_of(*face, owner), std::back_inserter(loops_));
+        faces_.emplace_back(face, owner);
+    }
     void add(const Loop &loop, int32_t owner) {
         loops_.push_back({placed(*surface_, covering_, loop, tolerance_), owner});
     }
     [[nodiscard]] std::vector<FacePtr> make(const Inside &inside) const {
         std::vector<FacePtr> faces;
-        if (loops_.empty()) {
+        if (loops_.empty() && faces_.empty()) {
             return faces;
         }
         const Arrangement arrangement(covering_, loops_, tolerance_);
-        for (const PartLoops &part : PartsWithin(arrangement, border_of(arrangement, inside)).list()) {
+        AtCorner corner(arrangement);
+        for (const auto &[face, owner] : faces_) {
+            corner.add(*face, owner);
+        }
+        const std::vector<DirectedEdge> border = border_of(arrangement, corner.sums(), inside);
+        for (const PartLoops &part : PartsWithin(arrangement, border).list(inside(corner.sums()))) {
             faces.push_back(face_of(arrangement, part));
         }
+        const auto at_top = [&](double u) { return inside(values_at_top(arrangement, corner.sums(), u)); };
+        check_area(arrangement, faces, domain_area(arrangement, border, at_top));
         return faces;
     }
 
 private:
     // What is inside to its left only.
-    static std::vector<DirectedEdge> border_of(const Arrangement &arrangement, const Inside &inside) {
+    static std::vector<DirectedEdge> border_of(const Arrangement &arrangement, const PassedSums &at_corner,
+                                               const Inside &inside) {
         std::vector<DirectedEdge> border;
-        const std::vector<SideValues> sides = values_beside(arrangement);
+        const std::vector<SideValues> sides = values_beside(arrangement, at_corner);
         for (size_t i = 0; i < sides.size(); ++i) {
             const bool in_left = inside(sides[i].left);
             if (in_left != inside(sides[i].right)) {
@@ -108,12 +123,15 @@ private:
     [[nodiscard]] FacePtr face_of(const Arrangement &arrangement, const PartLoops &part) const {
         FaceParts parts{surface_, {}, tolerance_, true};
         for (const EdgeLoop &loop : part) {
-            Loop &own = parts.loops.emplace_back();
+            Loop own;
             for (const Run &run : runs_of(arrangement, loop, RunRule::longest)) {
                 own.push_back({curve_of(arrangement, run), nullptr});
                 own.back().edge = map_ ? map_->image(*own.back().curve) : nullptr;
             }
-            parts.tolerance = std::max(parts.tolerance, largest_gap(*surface_, covering_, own));
+            if (!own.empty()) { // those around poles are
+                parts.tolerance = std::max(parts.tolerance, largest_gap(*surface_, covering_, own));
+                parts.loops.push_back(std::move(own));
+            }
         }
         return std::make_shared<const Face>(std::move(parts), nullptr);
     }
@@ -122,6 +140,7 @@ private:
     Covering covering_;
     std::optional<PlaneMap> map_;
     std::vector<ArrangedLoop> loops_;
+    std::vector<std::pair<FacePtr, int32_t>> faces_; // with their owners
 };
 
 int value_of(const PassedSums &values) noexcept {
@@ -262,23 +281,18 @@ std::vector<FacePtr> combined(std::span<const FacePtr> a, std::span<const FacePt
     CommonSurface common;
     const auto for_each = [&](auto &&visit) {
         for (size_t i = 0; i < a.size(); ++i) {
-            visit(*a[i], "a", i, 0);
+            visit(a[i], "a", i, 0);
         }
         for (size_t i = 0; i < b.size(); ++i) {
-            visit(*b[i], "b", i, 1);
+            visit(b[i], "b", i, 1);
         }
     };
-    for_each([&](const Face &face, const char *name, size_t i, int32_t) { common.add(face, name, i); });
+    for_each([&](const FacePtr &face, const char *name, size_t i, int32_t) { common.add(*face, name, i); });
     if (common.get() == nullptr) {
         return {};
     }
     RegionMaker maker(common.get(), std::max(tolerance, common.tolerance()));
-    check_open(maker.covering());
-    for_each([&](const Face &face, const char *, size_t, int32_t owner) {
-        for (const Loop &loop : face.loops()) {
-            maker.add(loop, owner);
-        }
-    });
+    for_each([&](const FacePtr &face, const char *, size_t, int32_t owner) { maker.add(face, owner); });
     return maker.make(inside_by(rule));
 }
 

@@ -27,7 +27,7 @@ enum class RegionRule : int32_t {
 // that jumps, or does not go on, weight_sign, not_converged where rounding would have to decide.
 std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule, double tolerance);
 
-// Faces in a are one region, however they overlap, and those in b. All are of one surface none of whose axes is closed, or
+// Faces in a are one region, however they overlap, and those in b. All are of one surface, or
 // regions as region_of() makes them. Throws Status::incompatible otherwise, gap for a face with gaps; not_converged as above.
 std::vector<FacePtr> combined(std::span<const FacePtr> a, std::span<const FacePtr> b, RegionRule rule,
                               double tolerance);

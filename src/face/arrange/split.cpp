@@ -2,7 +2,10 @@
 #include "face/arrange/split.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
+#include "face/arrange/domain_area.h"
 #include "face/arrange/edge_sides.h"
+#include "face/arrange/face_loops.h"
 #include "face/arrange/parts.h"
 #include "face/arrange/plane_map.h"
 #include "face/made/curve_under.h"
@@ -19,9 +22,9 @@ namespace {
 constexpr int32_t of_face = 0, of_curves = -1;
 
 // The edges that bound parts, each with a part to its left: those inside of the face that curves run along, both ways.
-std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement) {
+std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement, const PassedSums &at_corner) {
     std::vector<DirectedEdge> result;
-    const std::vector<SideValues> sides = values_beside(arrangement);
+    const std::vector<SideValues> sides = values_beside(arrangement, at_corner);
     for (size_t i = 0; i < sides.size(); ++i) {
         const auto is_inside = [](const PassedSums &sums) { return !sums.empty() && sums.front().value > 0; };
         if (is_inside(sides[i].left)) {
@@ -34,16 +37,40 @@ std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement) {
     return result;
 }
 
-// Without those that have one part on both sides.
-std::vector<DirectedEdge> between_parts(const Arrangement &arrangement, std::vector<DirectedEdge> edges) {
+bool is_of_curves(const Arrangement &arrangement, const Arrangement::Member &member) {
+    return arrangement.loop(arrangement.cuts().edges()[member.cut]).owner == of_curves;
+}
+
+// Without those that have one part on both sides, of which a curve that is among them is told.
+std::vector<DirectedEdge> between_parts(const Arrangement &arrangement, std::vector<DirectedEdge> edges,
+                                        std::optional<Point2> &loose) {
     const PartsWithin parts(arrangement, edges);
     const std::vector<DirectedEdge> all = edges; // sorted
     std::erase_if(edges, [&](DirectedEdge edge) {
         const DirectedEdge other{edge.edge, !edge.back};
-        return std::ranges::binary_search(all, other) &&
-               parts.part_left_of(edge) == parts.part_left_of(other);
+        const bool same =
+            std::ranges::binary_search(all, other) && parts.part_left_of(edge) == parts.part_left_of(other);
+        if (same && std::ranges::any_of(arrangement.edges()[edge.edge].members, [&](const auto &member) {
+                return is_of_curves(arrangement, member);
+            })) {
+            loose = arrangement.nodes()[arrangement.from(edge)];
+        }
+        return same;
     });
     return edges;
+}
+
+// Of the curves that run along the loops of a part.
+void set_sides(const Arrangement &arrangement, const PartLoops &loops, SplitPart &part) {
+    for (const EdgeLoop &loop : loops) {
+        for (const DirectedEdge edge : loop) {
+            for (const Arrangement::Member &member : arrangement.edges()[edge.edge].members) {
+                if (is_of_curves(arrangement, member)) {
+                    (member.against == edge.back ? part.left : part.right) = true;
+                }
+            }
+        }
+    }
 }
 
 // Nodes at which more than two ways go on.
@@ -138,38 +165,59 @@ private:
     std::map<size_t, std::vector<double>> points_; // of nodes
 };
 
+// A part with these loops, without those that are points of space, as those around poles are.
+FacePtr face_of(const Face &face, const Arrangement &arrangement, const PartLoops &part,
+                const std::vector<bool> &ends, double tolerance, Coedges &coedges) {
+    FaceParts parts{face.surface(), {}, tolerance, true};
+    for (const EdgeLoop &loop : part) {
+        Loop own;
+        for (const Run &run : runs_of(arrangement, loop, RunRule::shared, ends)) {
+            own.push_back(coedges.of(run));
+        }
+        if (!own.empty()) {
+            parts.tolerance = std::max(parts.tolerance, largest_gap(*face.surface(), face.covering(), own));
+            parts.loops.push_back(std::move(own));
+        }
+    }
+    return std::make_shared<const Face>(std::move(parts), nullptr);
+}
+
 } // namespace
 
-std::vector<FacePtr> split(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
+SplitFace split_with_sides(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
     const double near = std::max(tolerance, face.tolerance());
-    const Covering covering(*face.surface(), near);
-    check_open(covering);
     if (face.has_gaps()) {
         fail(Status::gap, "the face has gaps larger than its tolerance");
     }
     check_border_curves(curves);
-    std::vector<ArrangedLoop> loops;
-    for (const Loop &loop : face.loops()) {
-        loops.push_back({placed(*face.surface(), covering, loop, near), of_face});
-    }
+    std::vector<ArrangedLoop> loops = loops_of(face, of_face);
     for (const SplinePtr &curve : curves) {
         loops.push_back({{{{curve, {0, 0}}}, {0, 0}}, of_curves});
     }
-    const Arrangement arrangement(covering, loops, near);
-    const std::vector<DirectedEdge> border = between_parts(arrangement, dividing_edges(arrangement));
+    const Arrangement arrangement(face.covering(), loops, near);
+    AtCorner corner(arrangement);
+    corner.add(face, of_face);
+    SplitFace result;
+    const std::vector<DirectedEdge> border =
+        between_parts(arrangement, dividing_edges(arrangement, corner.sums()), result.loose);
     const std::vector<bool> ends = forks(arrangement, border);
-    Coedges coedges(face, covering, arrangement, near);
+    Coedges coedges(face, face.covering(), arrangement, near);
     std::vector<FacePtr> faces;
-    for (const PartLoops &part : PartsWithin(arrangement, border).list()) {
-        FaceParts parts{face.surface(), {}, near, true};
-        for (const EdgeLoop &loop : part) {
-            Loop &own = parts.loops.emplace_back();
-            for (const Run &run : runs_of(arrangement, loop, RunRule::shared, ends)) {
-                own.push_back(coedges.of(run));
-            }
-            parts.tolerance = std::max(parts.tolerance, largest_gap(*face.surface(), covering, own));
-        }
-        faces.push_back(std::make_shared<const Face>(std::move(parts), nullptr));
+    for (const PartLoops &part : PartsWithin(arrangement, border).list(!corner.sums().empty())) {
+        faces.push_back(face_of(face, arrangement, part, ends, near, coedges));
+        set_sides(arrangement, part, result.parts.emplace_back(SplitPart{faces.back()}));
+    }
+    if (faces.empty()) {
+        fail(Status::not_converged, "the face is no larger than the tolerance %s", Number(near).text);
+    }
+    check_area(arrangement, faces, domain_area(face));
+    return result;
+}
+
+std::vector<FacePtr> split(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
+    std::vector<FacePtr> faces;
+    for (SplitPart &part : split_with_sides(face, curves, tolerance).parts) {
+        faces.push_back(std::move(part.face));
     }
     return faces;
 }

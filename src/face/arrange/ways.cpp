@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "face/arrange/ways.h"
 
+#include "eval/curve_point.h"
 #include "face/arrange/node_order.h"
 #include "refine/forms/parametrization.h"
 #include "refine/parts/cut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,6 +19,13 @@ namespace nrb::face {
 namespace {
 
 constexpr size_t none = std::numeric_limits<size_t>::max();
+
+// A node in a copy of the domain.
+struct Lift {
+    size_t node;
+    std::array<int, 2> turns;
+    friend auto operator<=>(const Lift &, const Lift &) = default;
+};
 
 DirectedEdge turned(DirectedEdge edge) noexcept {
     return {edge.edge, !edge.back};
@@ -89,14 +98,23 @@ public:
 
     [[nodiscard]] std::vector<Run> of(const EdgeLoop &loop) const {
         std::vector<Run> runs;
+        bool behind_point = false;
         for (const DirectedEdge edge : loop) {
-            if (runs.empty() || ends_at(edge) || !extend(runs.back(), edge)) {
+            if (arrangement_.edges()[edge.edge].in_a_point) {
+                behind_point = true;
+                continue;
+            }
+            const bool goes_on = !std::exchange(behind_point, false) && !runs.empty() && !ends_at(edge);
+            if (!goes_on || !extend(runs.back(), edge)) {
                 const size_t cut = arrangement_.edges()[edge.edge].members.front().cut;
                 runs.push_back({cut, cut, edge.back});
             }
         }
+        if (runs.size() < 2 || behind_point || arrangement_.edges()[loop.front().edge].in_a_point) {
+            return runs;
+        }
         const Run &last = runs.back(), &first = runs.front();
-        if (runs.size() > 1 && !ends_at(loop.front()) && last.back == first.back &&
+        if (!ends_at(loop.front()) && last.back == first.back &&
             follows(last.last, first.first, first.back)) {
             runs.front().first = last.first;
             runs.pop_back();
@@ -161,20 +179,39 @@ std::vector<EdgeLoop> ways_around(const Arrangement &arrangement, const std::vec
 std::vector<EdgeLoop> simple_loops(const Arrangement &arrangement, const EdgeLoop &loop) {
     std::vector<EdgeLoop> result;
     EdgeLoop way;
-    std::map<size_t, size_t> places; // on the way, of nodes
+    std::vector<Lift> lifts; // of where edges of the way begin
+    std::map<Lift, size_t> places;
+    Lift at{arrangement.from(loop.front()), {0, 0}};
     for (const DirectedEdge edge : loop) {
-        places.emplace(arrangement.from(edge), way.size());
+        places.emplace(at, way.size());
         way.push_back(edge);
-        const auto again = places.find(arrangement.to(edge));
+        lifts.push_back(at);
+        at = {arrangement.to(edge), turned_by(arrangement, at.turns, edge)};
+        const auto again = places.find(at);
         if (again == places.end()) {
             continue;
         }
-        const auto first = way.begin() + static_cast<std::ptrdiff_t>(again->second);
-        result.emplace_back(first, way.end());
-        std::for_each(first, way.end(), [&](DirectedEdge own) { places.erase(arrangement.from(own)); });
-        way.erase(first, way.end());
+        const size_t first = again->second;
+        result.emplace_back(way.begin() + static_cast<std::ptrdiff_t>(first), way.end());
+        for (size_t i = first; i < lifts.size(); ++i) {
+            places.erase(lifts[i]);
+        }
+        way.resize(first);
+        lifts.resize(first);
+    }
+    if (!way.empty()) { // around a closed axis
+        result.push_back(std::move(way));
     }
     return result;
+}
+
+std::array<int, 2> turned_by(const Arrangement &arrangement, std::array<int, 2> turns,
+                             DirectedEdge edge) noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const int own = arrangement.edges()[edge.edge].turns[k];
+        turns[k] += edge.back ? -own : own;
+    }
+    return turns;
 }
 
 std::vector<Run> runs_of(const Arrangement &arrangement, const EdgeLoop &loop, RunRule rule,
@@ -197,7 +234,9 @@ SplinePtr curve_of(const Arrangement &arrangement, const Run &run) {
         const Interval range{cuts.lower.range.lower, cuts.upper.range.upper};
         part = refine::cut_axis(whole, 0, range.lower, range.upper, {true, true});
         const auto ended = [&](bool upper, size_t node) {
-            return with_end(part, upper, arrangement.nodes()[node], arrangement.rounding());
+            Point2 end;
+            eval::end_point(*part, upper, end.data());
+            return with_end(part, upper, arrangement.node_near(node, end), arrangement.rounding());
         };
         part = range.lower == domain.lower ? part : ended(false, cuts.lower.from);
         part = range.upper == domain.upper ? part : ended(true, cuts.upper.to);

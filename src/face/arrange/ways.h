@@ -15,10 +15,14 @@ using EdgeLoop = std::vector<DirectedEdge>;
 // that side. Throws Status::not_converged where edges do not go on, which rounding alone can be the reason of.
 std::vector<EdgeLoop> ways_around(const Arrangement &arrangement, const std::vector<DirectedEdge> &edges);
 
-// A loop cut where it comes to a node again.
+// The copy of the domain in which an edge ends that begins in another one.
+std::array<int, 2> turned_by(const Arrangement &arrangement, std::array<int, 2> turns,
+                             DirectedEdge edge) noexcept;
+
+// A loop cut where it comes to a node again, in the same copy of the domain.
 std::vector<EdgeLoop> simple_loops(const Arrangement &arrangement, const EdgeLoop &loop);
 
-// A part of a curve that edges one after the other run over.
+// A part of a curve that edges one after the other run over, without those that are points of space.
 struct Run {
     size_t first, last; // of the cuts, as the loop runs
     bool back;

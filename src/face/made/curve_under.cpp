@@ -8,10 +8,12 @@
 #include "eval/evaluate.h"
 #include "face/made/curve_fit.h"
 #include "face/made/plane_chart.h"
+#include "face/made/seam_parts.h"
 #include "face/trims/monotone.h"
 #include "numeric/norm.h"
 #include "refine/compose/compose.h"
 #include "refine/parts/cut.h"
+#include "refine/parts/join.h"
 
 #include <algorithm>
 #include <array>
@@ -316,6 +318,26 @@ double composed_distance(const SplinePtr &surface, const Covering &covering, con
     return over == nullptr ? infinity : bounds::deviation(*over, edge).upper;
 }
 
+// The surface composed with each part of a curve between seams; null where that is not possible.
+SplinePtr composed_over_seams(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
+    constexpr double rounding = 0x1p-36; // of the size of the surface: how far seams are open
+    if (!covering.closed(0) && !covering.closed(1)) {
+        return nullptr;
+    }
+    std::vector<SplinePtr> edges;
+    for (const SplinePtr &part : seam_parts(covering, curve)) {
+        edges.push_back(composed_edge(surface, covering, part));
+        if (edges.back() == nullptr) {
+            return nullptr;
+        }
+    }
+    if (edges.empty()) {
+        return nullptr;
+    }
+    const refine::Joined joined = refine::join(edges, 0, {infinity, false});
+    return joined.gap <= rounding * covering.extent() ? joined.spline : nullptr;
+}
+
 } // namespace
 
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
@@ -345,7 +367,11 @@ double proven_distance(const SplinePtr &surface, const Covering &covering, const
 
 MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                     double tolerance) {
-    if (SplinePtr exact = composed_edge(surface, covering, curve)) {
+    SplinePtr exact = composed_edge(surface, covering, curve);
+    if (exact == nullptr) {
+        exact = composed_over_seams(surface, covering, curve);
+    }
+    if (exact != nullptr) {
         return {std::move(exact), 0, true};
     }
     const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);

@@ -42,8 +42,8 @@ double proven_distance(const SplinePtr &surface, const Covering &covering, const
 // The surface composed with a curve in its domain; null where the degree would be above max_degree, or the curve leaves the domain.
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve);
 
-// The curve in space that a curve in the plane is mapped to: composed exactly where its degree is at most max_degree and it stays
-// in the domain, else through as many places as the tolerance takes.
+// The curve in space that a curve in the plane is mapped to: composed exactly, between seams that it passes, where its degree is
+// at most max_degree and it stays in the plane, else through as many places as the tolerance takes.
 MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                     double tolerance);
 

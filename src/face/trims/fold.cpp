@@ -17,7 +17,8 @@ struct Cut {
 
 class Folder {
 public:
-    Folder(const TrimPieces &plane, const Covering &covering) noexcept : plane_(plane), covering_(covering) {}
+    Folder(const TrimPieces &plane, const Covering &covering, bool closes) noexcept
+        : plane_(plane), covering_(covering), closes_(closes) {}
 
     FoldedPieces fold() {
         size_t first = 0;
@@ -120,7 +121,7 @@ private:
     }
     // Back to where the loop began, up to periods that it went around.
     void close(size_t first, size_t end) {
-        if (first < end && covering_.closed(1)) {
+        if (closes_ && first < end && covering_.closed(1)) {
             const auto &all = plane_.all();
             const double turns =
                 std::round((all[end - 1].end[1] - all[first].start[1]) / covering_.period(1));
@@ -130,6 +131,7 @@ private:
 
     const TrimPieces &plane_;
     const Covering &covering_;
+    bool closes_;
     FoldedPieces result_;
     double copy_ = 0, first_copy_ = 0, first_at_ = 0;
 };
@@ -137,7 +139,11 @@ private:
 } // namespace
 
 FoldedPieces fold(const TrimPieces &plane, const Covering &covering) {
-    return Folder(plane, covering).fold();
+    return Folder(plane, covering, true).fold();
+}
+
+FoldedPieces fold_chains(const TrimPieces &plane, const Covering &covering) {
+    return Folder(plane, covering, false).fold();
 }
 
 } // namespace nrb::face

@@ -23,5 +23,7 @@ struct FoldedPieces {
 // On closed axes pieces are cut where they pass from one copy of the domain to the next. The pieces of a loop have to follow one
 // another.
 FoldedPieces fold(const TrimPieces &plane, const Covering &covering);
+// The same of chains, which need not come back to where they began.
+FoldedPieces fold_chains(const TrimPieces &plane, const Covering &covering);
 
 } // namespace nrb::face

@@ -47,6 +47,11 @@ public:
         return any_in(lower, upper,
                       [&](const TrimPiece &piece) { return pieces().meets(piece, lower, upper); });
     }
+    // Calls visit(piece) for the pieces that a column meets, to the right of it where it passes an end.
+    template <class Visit>
+    void in_column(double u, Visit &&visit) const {
+        columns_.in_column(u, std::forward<Visit>(visit));
+    }
     // Calls visit(piece) for the pieces whose boxes meet a box of the domain, some of them more than once, until it is true.
     template <class Visit>
     bool any_in(const Point2 &lower, const Point2 &upper, Visit &&visit) const {

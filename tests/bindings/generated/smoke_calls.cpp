@@ -825,6 +825,12 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("face_trim");
+        const n::Spline cutter = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0}, 3, {-1.0, 1.625, -9.0, -1.0, 1.625, 9.0, 2.0, 1.625, -9.0, 2.0, 1.625, 9.0}, {}, 0u);
+        const auto found = n::Model::trim(in.face, cutter, 1, 1e-06);
+        show("out", found);
+    }
+    {
         begin("model_edge_gaps");
         const auto found = in.model.edge_gaps();
         show("uses", found.uses);
@@ -1462,6 +1468,12 @@ void data(const Inputs &in) {
         begin("face_split_with");
         const n::Spline divider = n::Spline::create_bezier({1}, 2, {0.0, 1.5, 1.0, 1.75});
         const auto found = n::Model::split(in.face, std::vector<n::Spline>{divider}, 0.0, watched());
+        show("out", found);
+    }
+    {
+        begin("face_trim_with");
+        const n::Spline cutter = n::Spline::create({1, 1}, {2, 2}, {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0}, 3, {-1.0, 1.625, -9.0, -1.0, 1.625, 9.0, 2.0, 1.625, -9.0, 2.0, 1.625, 9.0}, {}, 0u);
+        const auto found = n::Model::trim(in.face, cutter, 1, 1e-06, watched());
         show("out", found);
     }
     by_hand("model_write_with");

@@ -1727,6 +1727,16 @@ contains
             call found%split(face=face, curves=curves_given, tolerance=0.0d0)
             call show('out', found)
         end block
+        call begin('face_trim')
+        block
+            type(nurbs_spline) :: cutter
+            type(nurbs_model) :: found
+            call cutter%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, &
+                1.0d0], points=reshape([-1.0d0, 1.625d0, -9.0d0, -1.0d0, 1.625d0, 9.0d0, 2.0d0, 1.625d0, -9.0d0, &
+                2.0d0, 1.625d0, 9.0d0], [4, 3], order=[2, 1]), flags=0)
+            call found%trim(face=face, surface=cutter, side=1, tolerance=1d-06)
+            call show('out', found)
+        end block
         call begin('model_edge_gaps')
         block
             integer(c_int64_t), allocatable :: uses_found(:)
@@ -2702,6 +2712,17 @@ contains
             call divider%create_bezier(degrees=[1], points=reshape([0.0d0, 1.5d0, 1.0d0, 1.75d0], [2, 2], order=[2, 1]))
             curves_given(1) = divider
             call found%split(face=face, curves=curves_given, tolerance=0.0d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('face_trim_with')
+        block
+            type(nurbs_spline) :: cutter
+            type(nurbs_call) :: watching
+            type(nurbs_model) :: found
+            call cutter%create(degrees=[1, 1], counts=[2, 2], knots=[0.0d0, 0.0d0, 1.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, &
+                1.0d0], points=reshape([-1.0d0, 1.625d0, -9.0d0, -1.0d0, 1.625d0, 9.0d0, 2.0d0, 1.625d0, -9.0d0, &
+                2.0d0, 1.625d0, 9.0d0], [4, 3], order=[2, 1]), flags=0)
+            call found%trim(face=face, surface=cutter, side=1, tolerance=1d-06, call=watching)
             call show('out', found)
         end block
         call by_hand('model_write_with')

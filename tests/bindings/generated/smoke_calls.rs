@@ -1441,6 +1441,22 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Model::split(&given.face, &[&divider], 0.0)?;
         show("out", &found);
     }
+    begin("face_trim");
+    {
+        let cutter = Spline::create(
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
+            3,
+            &[
+                -1.0, 1.625, -9.0, -1.0, 1.625, 9.0, 2.0, 1.625, -9.0, 2.0, 1.625, 9.0,
+            ],
+            None,
+            0,
+        )?;
+        let found = Model::trim(&given.face, &cutter, 1, 1e-06)?;
+        show("out", &found);
+    }
     begin("model_edge_gaps");
     {
         let found = given.model.edge_gaps()?;
@@ -2324,6 +2340,28 @@ fn data(given: &Given) -> nurbs::Result<()> {
             &given.face,
             &[&divider],
             0.0,
+            &mut Call::new().progress(|_| true),
+        )?;
+        show("out", &found);
+    }
+    begin("face_trim_with");
+    {
+        let cutter = Spline::create(
+            &[1, 1],
+            &[2, 2],
+            &[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0],
+            3,
+            &[
+                -1.0, 1.625, -9.0, -1.0, 1.625, 9.0, 2.0, 1.625, -9.0, 2.0, 1.625, 9.0,
+            ],
+            None,
+            0,
+        )?;
+        let found = Model::trim_with(
+            &given.face,
+            &cutter,
+            1,
+            1e-06,
             &mut Call::new().progress(|_| true),
         )?;
         show("out", &found);

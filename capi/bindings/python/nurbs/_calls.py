@@ -300,6 +300,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_region_create, lib.nurbs_region_create_with),
         (lib.nurbs_region_combine, lib.nurbs_region_combine_with),
         (lib.nurbs_face_split, lib.nurbs_face_split_with),
+        (lib.nurbs_face_trim, lib.nurbs_face_trim_with),
         (lib.nurbs_read_model, lib.nurbs_read_model_with),
         (lib.nurbs_read_model_file, lib.nurbs_read_model_file_with),
     ]),

@@ -309,6 +309,14 @@ class Face:
         return Meet._made(watched(lib.nurbs_face_project_curve, progress, work), self._handle, handle_of(curve),
                           along.ctypes.data, tolerance)
 
+    def trim(self, surface: Spline, side: int, tolerance: float, *, progress: Progress = None,
+             work: Optional[int] = None) -> Model:
+        """What of the face lies on one side of a surface, which divides it where both meet, as a model; side is one of
+        the NURBS_TRIM_ constants. Raises ArgumentError, also where the surface ends inside of the face, and NumericError
+        where it is undecided how both meet."""
+        from ._models import Model  # which is made of faces
+        return Model.trim(self, surface, side, tolerance, progress=progress, work=work)
+
     def area(self, relative_tolerance: float = 0.0, *, progress: Progress = None,
              work: Optional[int] = None) -> Measured:
         """Its area; a tolerance of 0 asks for the best that there is."""

@@ -270,6 +270,15 @@ class Model:
         return cls._made(watched(lib.nurbs_face_split, progress, work), _handles_of([face])[0], len(given), given, tolerance)
 
     @classmethod
+    def trim(cls, face: Face, surface: Spline, side: int, tolerance: float, *, progress: Progress = None,
+             work: Optional[int] = None) -> Model:
+        """What of a face lies on one side of a surface, which divides it where both meet; side is one of the NURBS_TRIM_
+        constants. Raises ArgumentError, also where the surface ends inside of the face, and NumericError where it is
+        undecided how both meet. The same as face.trim()."""
+        return cls._made(watched(lib.nurbs_face_trim, progress, work), _handles_of([face])[0], handles([surface])[0], side,
+                         tolerance)
+
+    @classmethod
     def read(cls, contents: Union[bytes, bytearray, memoryview], unit: float = 0.0, max_bytes: Optional[int] = None, *,
              tolerance: float = 0.0, kinds: int = 0, progress: Progress = None, work: Optional[int] = None) -> Model:
         """The faces, edges and vertices of a STEP or an IGES file in memory; unit is the wanted one in metres, 0 keeps

@@ -428,6 +428,8 @@ PROTOTYPES = {
     "nurbs_region_combine_with": "i ilplpdpp",
     "nurbs_face_split": "i plpdp",
     "nurbs_face_split_with": "i plpdpp",
+    "nurbs_face_trim": "i ppidp",
+    "nurbs_face_trim_with": "i ppidpp",
     "nurbs_mesh_curve": "i pdddlppppp",
     "nurbs_mesh_curve_with": "i pdddlpppppp",
     "nurbs_mesh_options_init": "i pl",

@@ -359,6 +359,10 @@ NURBS_REGION_INTERSECTION = 2  # what is in a and in b
 NURBS_REGION_DIFFERENCE = 3  # what is in a and not in b
 NURBS_REGION_EITHER = 4  # what is in a or in b and not in both: the symmetric difference
 
+# --- Which side of a surface is kept
+NURBS_TRIM_FRONT = 1  # to which its normals N = S_u x S_v point
+NURBS_TRIM_BACK = -1  # the other one
+
 # --- Flags of meshes
 NURBS_MESH_WELDED = 0x01000000  # nurbs_mesh_triangles() and its kind: corners are points, not vertices.
 

@@ -319,6 +319,25 @@ impl Model {
         })
     }
 
+    /// What of a face lies on one side of a surface, which divides it where both meet. side is one of the
+    /// `NURBS_TRIM_` constants.
+    pub fn trim(face: &Face, surface: &Spline, side: i32, tolerance: f64) -> Result<Model> {
+        Model::made(|out| unsafe { sys::nurbs_face_trim(face.raw(), surface.raw(), side, tolerance, out) })
+    }
+
+    /// The same as `trim`; it can be watched and stopped.
+    pub fn trim_with(
+        face: &Face,
+        surface: &Spline,
+        side: i32,
+        tolerance: f64,
+        call: &mut Call,
+    ) -> Result<Model> {
+        Model::made(|out| unsafe {
+            sys::nurbs_face_trim_with(face.raw(), surface.raw(), side, tolerance, call.options(), out)
+        })
+    }
+
     /// How much it holds.
     pub fn counts(&self) -> Result<ModelCounts> {
         let mut parts = 0;

@@ -1016,6 +1016,12 @@ pub const NURBS_REGION_DIFFERENCE: i32 = 3;
 /// what is in a or in b and not in both: the symmetric difference
 pub const NURBS_REGION_EITHER: i32 = 4;
 
+// --- Which side of a surface is kept
+/// to which its normals N = S_u x S_v point
+pub const NURBS_TRIM_FRONT: i32 = 1;
+/// the other one
+pub const NURBS_TRIM_BACK: i32 = -1;
+
 // --- Flags of meshes
 /// nurbs_mesh_triangles() and its kind: corners are points, not vertices.
 pub const NURBS_MESH_WELDED: u32 = 0x01000000;
@@ -5666,6 +5672,27 @@ extern "C" {
         face: *const nurbs_face,
         count: i64,
         curves: *const *const nurbs,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// What of a face lies on one side of a surface: the parts into which the curves of
+    /// nurbs_surface_intersections() divide it, as nurbs_face_split() makes them, without those on the other
+    /// side.
+    pub fn nurbs_face_trim(
+        face: *const nurbs_face,
+        surface: *const nurbs,
+        side: i32,
+        tolerance: f64,
+        out: *mut *mut nurbs_model,
+    ) -> nurbs_status;
+    /// nurbs_face_trim() as a call that can be watched and ended.
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_face_trim_with(
+        face: *const nurbs_face,
+        surface: *const nurbs,
+        side: i32,
         tolerance: f64,
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_model,

@@ -843,6 +843,14 @@ const Call group[] = {
          const nurbs *const curves[] = {made_divider};
          return nurbs_face_split(in.face, 1, curves, 0, &o.model);
      }},
+    {"face_trim",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_cutter(in, make_cutter);
+         if (made_cutter.status() != NURBS_OK) {
+             return made_cutter.status();
+         }
+         return nurbs_face_trim(in.face, made_cutter, 1, 1e-06, &o.model);
+     }},
     {"model_edge_gaps",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_edge_gaps(in.model, 8, o.spans, o.values, o.states, o.spans + 8);
@@ -1711,6 +1719,16 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_split_with(in.face, 1, curves, 0, &call, &o.model);
+     }},
+    {"face_trim_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         Made made_cutter(in, make_cutter);
+         if (made_cutter.status() != NURBS_OK) {
+             return made_cutter.status();
+         }
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_face_trim_with(in.face, made_cutter, 1, 1e-06, &call, &o.model);
      }},
     {"model_write_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

@@ -270,6 +270,14 @@ nurbs_status make_divider(const Inputs &, nurbs **out) {
     return nurbs_create_bezier(1, degrees, 2, points, 0, 0, nullptr, 0, out);
 }
 
+nurbs_status make_cutter(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1, 1};
+    static constexpr int64_t counts[] = {2, 2};
+    static constexpr double knots[] = {0, 0, 1, 1, 0, 0, 1, 1};
+    static constexpr double points[] = {-1, 1.625, -9, -1, 1.625, 9, 2, 1.625, -9, 2, 1.625, 9};
+    return nurbs_create(2, degrees, counts, knots, 8, 3, points, 0, 0, nullptr, 0, 0, out);
+}
+
 nurbs_status make_ball_face(const Inputs &in, nurbs_face **out) {
     Made made_sphere(in, make_sphere);
     if (made_sphere.status() != NURBS_OK) {

@@ -293,6 +293,7 @@ nurbs_status make_moved_outline(const Inputs &in, nurbs **out);
 nurbs_status make_moved_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_upright(const Inputs &in, nurbs_face **out);
 nurbs_status make_divider(const Inputs &in, nurbs **out);
+nurbs_status make_cutter(const Inputs &in, nurbs **out);
 nurbs_status make_ball_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_ball(const Inputs &in, nurbs_model **out);
 nurbs_status make_south(const Inputs &in, nurbs **out);

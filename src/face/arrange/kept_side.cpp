@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "face/arrange/kept_side.h"
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "closest/closest.h"
+#include "eval/evaluate.h"
+#include "face/arrange/split.h"
+#include "intersect/surfaces/surface_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace nrb::face {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+// Whether a part of the domain, which may run over its end where the surface closes, has something of the face.
+bool meets(const Face &face, const Point2 &lower, const Point2 &upper) {
+    const Covering &covering = face.covering();
+    const auto inside = [&](const Point2 &move) {
+        const Point2 low = moved(lower, move), high = moved(upper, move);
+        const Point2 middle{low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2};
+        return face.trims().side(covering.in_domain(middle)) >= 0 || face.trims().cuts(low, high);
+    };
+    return inside({0, 0}) || covering.any_move(lower, upper, inside);
+}
+
+void check_decided(const Face &face, const intersect::Meet &meet) {
+    for (const intersect::MeetNode &node : meet.nodes) {
+        const auto &[u, v] = node.range;
+        if (node.kind == intersect::NodeKind::undecided &&
+            meets(face, {u.lower, v.lower}, {u.upper, v.upper})) {
+            fail(Status::not_converged, "it is undecided how the surface meets the face at (%s, %s)",
+                 Number(node.at[0]).text, Number(node.at[1]).text);
+        }
+    }
+}
+
+// How far curves may be from what both have in common.
+double near_of(const intersect::Meet &meet, double tolerance) {
+    double near = tolerance;
+    for (const intersect::MeetBranch &branch : meet.branches) {
+        if (!std::isfinite(branch.deviation)) {
+            fail(Status::not_converged, "a curve in which the surface meets the face is not proven");
+        }
+        near = std::max(near, branch.deviation);
+    }
+    return near;
+}
+
+struct Place {
+    Point2 at;
+    double height; // of what is inside of the face in its column
+};
+
+// The middle of the highest part of a column inside of a face.
+std::optional<Place> place_in_column(const Face &face, double u) {
+    struct Crossing {
+        double v;
+        int passed;
+    };
+    const TrimMap &trims = face.trims();
+    const Interval domain = face.covering().domain(1);
+    std::vector<Crossing> crossings;
+    trims.in_column(u, [&](const TrimPiece &piece) {
+        const double v = trims.pieces().point(piece, trims.pieces().place_of(piece, 0, u))[1];
+        crossings.push_back({v, trims.passed(piece)});
+    });
+    std::ranges::sort(crossings, std::ranges::greater{}, &Crossing::v);
+    crossings.push_back({domain.lower, 0});
+    std::optional<Place> best;
+    int value = trims.value_at_top(u);
+    double above = domain.upper;
+    for (const Crossing &crossing : crossings) {
+        if (value > 0 && above - crossing.v > (best ? best->height : 0)) {
+            best = Place{{u, above / 2 + crossing.v / 2}, above - crossing.v};
+        }
+        value += crossing.passed;
+        above = crossing.v;
+    }
+    return best;
+}
+
+// Places inside of a face, those farthest from its border along a column first.
+std::vector<Point2> places_in(const Face &face) {
+    constexpr int inner = 8; // columns between two ends of pieces, at the widest of these
+    std::vector<double> ends{face.covering().domain(0).lower, face.covering().domain(0).upper};
+    for (const TrimPiece &piece : face.trims().pieces().all()) {
+        ends.insert(ends.end(), {piece.lower[0], piece.upper[0]});
+    }
+    std::ranges::sort(ends);
+    std::vector<Interval> gaps;
+    for (size_t i = 0; i + 1 < ends.size(); ++i) {
+        gaps.push_back({ends[i], ends[i + 1]});
+    }
+    std::ranges::sort(gaps, std::ranges::greater{},
+                      [](const Interval &gap) { return gap.upper - gap.lower; });
+    std::vector<Place> places;
+    for (size_t i = 0; i < std::min<size_t>(gaps.size(), inner); ++i) {
+        for (const double share : {0.5, 0.381966}) {
+            const double u = gaps[i].lower + share * (gaps[i].upper - gaps[i].lower);
+            if (const auto place = place_in_column(face, u)) {
+                places.push_back(*place);
+            }
+        }
+    }
+    std::ranges::sort(places, std::ranges::greater{}, &Place::height);
+    std::vector<Point2> result;
+    std::ranges::transform(places, std::back_inserter(result), [](const Place &place) { return place.at; });
+    return result;
+}
+
+// On which side of a surface points lie.
+class Sides {
+public:
+    Sides(const Spline &surface, double tolerance)
+        : surface_(surface), covering_(surface, tolerance), tolerance_(tolerance) {}
+
+    // 1 in front, -1 behind; 0 if the nearest point does not tell.
+    [[nodiscard]] int of(const std::vector<double> &point) const {
+        const closest::Foot foot = closest::locator_of(surface_).nearest(
+            {point.data(), nullptr, tolerance_, closest::usual_budget(surface_), false, true});
+        const bool certified = (foot.status & closest::closest_certified) != 0;
+        if (!certified || !(foot.distance > 4 * tolerance_) || is_end({foot.params[0], foot.params[1]})) {
+            return 0;
+        }
+        return side_at({foot.params[0], foot.params[1]}, point);
+    }
+
+private:
+    [[nodiscard]] bool is_end(const Point2 &x) const {
+        for (const int k : {0, 1}) {
+            const auto [lower, upper] = covering_.domain(k);
+            const double at = x[static_cast<size_t>(k)], room = 0x1p-30 * (upper - lower);
+            if (!covering_.closed(k) && (at - lower <= room || upper - at <= room)) {
+                return true;
+            }
+        }
+        return false;
+    }
+    // Of a point above or below the place, to a share of its distance.
+    [[nodiscard]] int side_at(const Point2 &x, const std::vector<double> &point) const {
+        constexpr double upright = 0.99;
+        std::array<double, 9> jet{};
+        eval::evaluate_points(surface_, {}, 1, {x.data(), 1, 2, 2, 1}, {jet.data(), 1, 9, 9, 1});
+        const Vector a{jet[3], jet[4], jet[5]}, b{jet[6], jet[7], jet[8]};
+        const Vector normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+        const Vector off{point[0] - jet[0], point[1] - jet[1], point[2] - jet[2]};
+        const double height = off[0] * normal[0] + off[1] * normal[1] + off[2] * normal[2];
+        const double most = std::hypot(off[0], off[1], off[2]) * std::hypot(normal[0], normal[1], normal[2]);
+        return height > upright * most ? 1 : height < -upright * most ? -1 : 0;
+    }
+
+    const Spline &surface_;
+    Covering covering_;
+    double tolerance_;
+};
+
+int side_of(const Face &part, const Sides &sides) {
+    for (const Point2 &place : places_in(part)) {
+        if (const int side = sides.of(point_at(*part.surface(), place)); side != 0) {
+            return side;
+        }
+    }
+    fail(Status::incompatible,
+         "the surface does not tell on which side of it a part of the face lies that it does not "
+         "meet: it ends before");
+}
+
+} // namespace
+
+std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, SurfaceSide side,
+                               double tolerance) {
+    const intersect::Meet meet = intersect::surface_intersections(*face.surface(), *surface, tolerance);
+    check_decided(face, meet);
+    std::vector<SplinePtr> curves;
+    for (const intersect::MeetBranch &branch : meet.branches) {
+        curves.push_back(branch.on);
+    }
+    const SplitFace split = split_with_sides(face, curves, near_of(meet, tolerance));
+    if (split.loose) {
+        fail(Status::incompatible, "the surface ends inside of the face at (%s, %s)",
+             Number((*split.loose)[0]).text, Number((*split.loose)[1]).text);
+    }
+    const Sides sides(*surface, tolerance);
+    std::vector<FacePtr> kept;
+    for (const SplitPart &part : split.parts) {
+        if (part.left && part.right) {
+            fail(Status::incompatible, "a part of the face lies on both sides of the surface");
+        }
+        const int own = part.left ? 1 : part.right ? -1 : side_of(*part.face, sides);
+        if (own == static_cast<int>(side)) {
+            kept.push_back(part.face);
+        }
+    }
+    return kept;
+}
+
+} // namespace nrb::face

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "face/made/seam_parts.h"
+
+#include "eval/curve_point.h"
+#include "face/trims/monotone.h"
+#include "refine/forms/transform.h"
+#include "refine/parts/cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::face {
+
+namespace {
+
+constexpr double rounding = 0x1p-40; // of the domain: how far parts leave it by the rounding of cuts
+
+// Where a curve passes from one copy of the domain to the next, with the ends of its own domain.
+std::vector<double> passages_of(const Covering &covering, const SplinePtr &curve) {
+    const Interval domain = curve->axis(0).domain();
+    const double room = rounding * (domain.upper - domain.lower);
+    std::vector<double> places, breaks{domain.lower};
+    TrimPieces pieces;
+    append_monotone({{curve}}, 0, {0, 0}, pieces);
+    for (const TrimPiece &piece : pieces.all()) {
+        const bool closes = piece.range.lower == piece.range.upper; // none of the curve
+        for (int k = 0; k < 2 && !closes && covering.closed(k); ++k) {
+            const auto at = static_cast<size_t>(k);
+            const double low = covering.domain(k).lower, period = covering.period(k);
+            for (double n = std::ceil((piece.lower[at] - low) / period); low + n * period <= piece.upper[at];
+                 ++n) {
+                if (piece.lower[at] < piece.upper[at]) {
+                    places.push_back(parameter_at(piece, pieces.place_of(piece, k, low + n * period)));
+                }
+            }
+        }
+    }
+    std::ranges::sort(places);
+    for (const double t : places) {
+        if (t - breaks.back() > room && domain.upper - t > room) {
+            breaks.push_back(t);
+        }
+    }
+    breaks.push_back(domain.upper);
+    return breaks;
+}
+
+// By whole periods, to where the middle is in the domain.
+SplinePtr moved_back(const Covering &covering, const SplinePtr &part) {
+    const Interval domain = part->axis(0).domain();
+    const std::vector<double> middle = eval::curve_point(*part, domain.lower / 2 + domain.upper / 2, false);
+    const Point2 x{middle[0], middle[1]}, inside = covering.canonical(x);
+    const double matrix[] = {1, 0, 0, 1}, move[] = {inside[0] - x[0], inside[1] - x[1]};
+    return inside == x ? part : refine::transform(*part, {2, 2, matrix}, move);
+}
+
+// With control points that rounding has set outside on the ends of the domain; null if others are outside.
+SplinePtr set_inside(const Covering &covering, const SplinePtr &part) {
+    const auto width = static_cast<size_t>(part->stored_width());
+    std::vector<double> points(part->points().begin(), part->points().end());
+    bool changed = false;
+    for (int64_t i = 0; i < part->point_count(); ++i) {
+        for (const int k : {0, 1}) {
+            const auto [lower, upper] = covering.domain(k);
+            const double x = part->coordinate(i, k), inside = std::clamp(x, lower, upper);
+            if (std::abs(x - inside) >
+                rounding * std::max({upper - lower, std::abs(lower), std::abs(upper)})) {
+                return nullptr;
+            }
+            if (x != inside) {
+                const double weight = part->form() == Form::homogeneous ? part->weight(i) : 1;
+                points[static_cast<size_t>(i) * width + static_cast<size_t>(k)] = inside * weight;
+                changed = true;
+            }
+        }
+    }
+    return changed ? make_result(part->knot_vectors(), part->dim(), part->form(), std::move(points),
+                                 std::vector<double>(part->weights().begin(), part->weights().end()))
+                   : part;
+}
+
+} // namespace
+
+std::vector<SplinePtr> seam_parts(const Covering &covering, const SplinePtr &curve) {
+    const refine::PartedSpline parts = refine::split_axis(curve, 0, passages_of(covering, curve));
+    std::vector<SplinePtr> result;
+    for (int64_t i = 0; i < parts.size(); ++i) {
+        const SplinePtr part = set_inside(covering, moved_back(covering, parts.part(i)));
+        if (part == nullptr) {
+            return {};
+        }
+        result.push_back(part);
+    }
+    return result;
+}
+
+} // namespace nrb::face

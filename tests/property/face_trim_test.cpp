@@ -1,0 +1,204 @@
+// Faces trimmed by surfaces: both sides make up the face, areas are those of closed forms, places are on the side that they should be on.
+#include "property/regions.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace face_trim_test {
+
+using namespace support;
+using namespace support::regions;
+using models::Face;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Point3 = std::array<double, 3>;
+
+Handle sphere(const Point3 &center, double radius, const Point3 &axis = {0, 0, 1}) {
+    return made([&](nurbs **out) {
+        return nurbs_surface_sphere(center.data(), axis.data(), nullptr, radius, NURBS_ARC_QUARTERS, out);
+    });
+}
+
+Point3 unit(Random &random) {
+    Point3 x{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    const double size = std::hypot(x[0], x[1], x[2]);
+    return size < 0.1 ? Point3{0, 0.6, 0.8} : Point3{x[0] / size, x[1] / size, x[2] / size};
+}
+
+// A square of the plane n . x = off, its normal n or against it.
+Handle square(const Point3 &n, double off, double half, bool turned = false) {
+    Point3 a = std::abs(n[0]) < 0.6 ? Point3{1, 0, 0} : Point3{0, 1, 0};
+    const double along = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+    for (size_t k = 0; k < 3; ++k) {
+        a[k] -= along * n[k];
+    }
+    const double size = std::hypot(a[0], a[1], a[2]);
+    Point3 b;
+    for (size_t k = 0; k < 3; ++k) {
+        a[k] /= size;
+    }
+    b = {n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]};
+    if (turned) {
+        std::swap(a, b);
+    }
+    SplineData data{{1, 1}, {2, 2}, {{0, 0, 1, 1}, {0, 0, 1, 1}}, 3, {}, {}};
+    for (const double u : {-half, half}) {
+        for (const double v : {-half, half}) {
+            for (size_t k = 0; k < 3; ++k) {
+                data.points.push_back(off * n[k] + u * a[k] + v * b[k]);
+            }
+        }
+    }
+    return create(data);
+}
+
+Face whole(const nurbs *surface) {
+    nurbs_face *face = nullptr;
+    require_ok(nurbs_face_create(surface, 0, nullptr, nullptr, nullptr, nullptr, 1e-9, 0, nullptr, &face));
+    return Face(face);
+}
+
+nurbs_status try_trim(const nurbs_face *face, const nurbs *surface, int32_t side, Model &out) {
+    nurbs_model *model = nullptr;
+    const nurbs_status status = nurbs_face_trim(face, surface, side, 1e-8, &model);
+    out.reset(model);
+    return status;
+}
+
+Model trim(const nurbs_face *face, const nurbs *surface, int32_t side) {
+    Model model;
+    require_ok(try_trim(face, surface, side, model));
+    return model;
+}
+
+double area(const Model &model) {
+    double sum = 0;
+    for (const Face &face : faces_of(model.get())) {
+        double own = 0;
+        require_ok(nurbs_face_area(face.get(), 1e-8, &own, nullptr));
+        sum += own;
+    }
+    return sum;
+}
+
+Vec random_places(Random &random, const nurbs *surface, int count) {
+    Vec places;
+    for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < 2; ++k) {
+            double ends[2];
+            require_ok(nurbs_domain(surface, k, ends));
+            places.push_back(random.between(ends[0], ends[1]));
+        }
+    }
+    return places;
+}
+
+// Of places at which `height` is not small, those with a positive one are in front.
+template <class Height>
+void expect_sides(const nurbs *surface, const Model &front, const Model &back, Random &random,
+                  Height &&height) {
+    const Vec places = random_places(random, surface, 200), points = eval(surface, places);
+    const std::vector<int32_t> in_front = sides_of(front, places), behind = sides_of(back, places);
+    for (size_t i = 0; i < in_front.size(); ++i) {
+        const double own = height(Point3{points[3 * i], points[3 * i + 1], points[3 * i + 2]});
+        if (std::abs(own) > 1e-5) {
+            EXPECT_EQ(in_front[i], own > 0 ? 1 : -1)
+                << places[2 * i] << " " << places[2 * i + 1] << " " << own;
+            EXPECT_EQ(behind[i], own > 0 ? -1 : 1) << places[2 * i] << " " << places[2 * i + 1] << " " << own;
+        }
+    }
+}
+
+} // namespace
+
+// Above a plane at height h a sphere has the area 2 pi r (r - h), whichever way its poles are.
+TEST(FaceTrim, CapsOfASphere) {
+    for_each_case(9100, 40, [](Random &random, uint64_t) {
+        const double radius = random.between(0.5, 2), h = random.between(-1.1, 1.1) * radius;
+        const Point3 n = unit(random);
+        const bool turned = random.chance(50);
+        const Handle surface = sphere({0, 0, 0}, radius, unit(random)), plane = square(n, h, 5, turned);
+        const Face face = whole(surface.get());
+        const Model front = trim(face.get(), plane.get(), NURBS_TRIM_FRONT),
+                    back = trim(face.get(), plane.get(), NURBS_TRIM_BACK);
+        const double above = 2 * pi * radius * std::clamp(radius - h, 0.0, 2 * radius),
+                     all = 4 * pi * radius * radius;
+        EXPECT_NEAR(area(turned ? back : front), above, 1e-6 * all);
+        EXPECT_NEAR(area(front) + area(back), all, 1e-6 * all);
+        expect_sides(surface.get(), front, back, random, [&](const Point3 &x) {
+            return (turned ? -1 : 1) * (n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - h);
+        });
+    });
+}
+
+// Inside of another sphere is a cap, by what both radii and the distance of the centres say.
+TEST(FaceTrim, SpheresBySpheres) {
+    for_each_case(9200, 30, [](Random &random, uint64_t) {
+        const double r = random.between(0.5, 1.5), d = random.between(0.2, 2.5);
+        const Point3 to = unit(random), center{d * to[0], d * to[1], d * to[2]};
+        const Handle surface = sphere({0, 0, 0}, 1, unit(random)), tool = sphere(center, r, unit(random));
+        const Face face = whole(surface.get());
+        const Model outside = trim(face.get(), tool.get(), NURBS_TRIM_FRONT),
+                    inside = trim(face.get(), tool.get(), NURBS_TRIM_BACK);
+        const double low = std::clamp((d * d + 1 - r * r) / (2 * d), -1.0, 1.0);
+        EXPECT_NEAR(area(inside), 2 * pi * (1 - low), 1e-5);
+        EXPECT_NEAR(area(inside) + area(outside), 4 * pi, 1e-5);
+        expect_sides(surface.get(), outside, inside, random, [&](const Point3 &x) {
+            return std::hypot(x[0] - center[0], x[1] - center[1], x[2] - center[2]) - r;
+        });
+    });
+}
+
+// Each part is on one side; both sides together are the torus.
+TEST(FaceTrim, TorusByPlanes) {
+    for_each_case(9300, 30, [](Random &random, uint64_t) {
+        const Handle surface = made([](nurbs **out) {
+            return nurbs_surface_torus(nullptr, nullptr, nullptr, 2, 0.75, 0, 2 * pi, 0, 2 * pi,
+                                       NURBS_ARC_QUARTERS, out);
+        });
+        const Face face = whole(surface.get());
+        const Point3 n = unit(random);
+        const double off = random.between(-2.5, 2.5);
+        const Handle plane = square(n, off, 6);
+        const Model front = trim(face.get(), plane.get(), NURBS_TRIM_FRONT),
+                    back = trim(face.get(), plane.get(), NURBS_TRIM_BACK);
+        EXPECT_NEAR(area(front) + area(back), 4 * pi * pi * 2 * 0.75, 1e-4);
+        expect_sides(surface.get(), front, back, random,
+                     [&](const Point3 &x) { return n[0] * x[0] + n[1] * x[1] + n[2] * x[2] - off; });
+    });
+}
+
+// Plates with holes, cut by what crosses them, and what is cut again: the parts of parts are the whole.
+TEST(FaceTrim, PlatesWithHoles) {
+    for_each_case(9400, 30, [](Random &random, uint64_t) {
+        Curves curves;
+        curves.push_back(rectangle(-2, -1, 2, 1));
+        curves.push_back(circle(random.between(-1.2, -0.8), random.between(-0.3, 0.3), 0.5));
+        curves.push_back(circle(random.between(0.8, 1.2), random.between(-0.3, 0.3), 0.5));
+        const Model plate = region(curves, NURBS_FILL_EVEN_ODD);
+        const Face face = models::face_of(plate.get(), 0);
+        const double all = area(plate);
+        const Point3 center{random.between(-2, 2), random.between(-1, 1), random.between(-0.5, 0.5)};
+        const double radius = random.between(0.6, 1.4);
+        const Handle ball = sphere(center, radius, unit(random));
+        const Model outside = trim(face.get(), ball.get(), NURBS_TRIM_FRONT),
+                    inside = trim(face.get(), ball.get(), NURBS_TRIM_BACK);
+        EXPECT_NEAR(area(outside) + area(inside), all, 1e-6);
+        Point3 n = unit(random);
+        n[2] *= 0.25;
+        const double size = std::hypot(n[0], n[1], n[2]);
+        const Handle plane = square({n[0] / size, n[1] / size, n[2] / size}, random.between(-0.5, 0.5), 9);
+        double sum = 0;
+        for (const Model *model : {&outside, &inside}) {
+            for (const Face &part : faces_of(model->get())) {
+                sum += area(trim(part.get(), plane.get(), NURBS_TRIM_FRONT));
+                sum += area(trim(part.get(), plane.get(), NURBS_TRIM_BACK));
+            }
+        }
+        EXPECT_NEAR(sum, all, 1e-6);
+    });
+}
+
+} // namespace face_trim_test
