@@ -140,279 +140,241 @@ nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, 
 nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const nurbs_face *b, double tolerance,
                                            const nurbs_call_options *call, nurbs_meet **out) {
     return watched(call, out, [&] { return nurbs_face_intersections(a, b, tolerance, out); });
-    nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve, const double *direction,
-                                             double tolerance, nurbs_meet **out) {
-        return guard([&] {
-            require_out(out);
-            require(g, "g");
-            require(curve, "curve");
-            require(direction, "direction");
-            const Spline &surface = surface_of(g);
-            check_dimension(surface, 3, 3);
-            const ProjectionQuery query = projection_query(curve, direction, tolerance);
-            give_meet(intersect::projected_along(query.curve, surface, query.direction, tolerance), out);
-        });
-    }
+}
 
-    nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nurbs *curve, const double *direction,
-                                                  double tolerance, const nurbs_call_options *call,
-                                                  nurbs_meet **out) {
-        return watched(call, out,
-                       [&] { return nurbs_surface_project_curve(g, curve, direction, tolerance, out); });
-    }
+nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve, const double *direction,
+                                         double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        require(g, "g");
+        require(curve, "curve");
+        require(direction, "direction");
+        const Spline &surface = surface_of(g);
+        check_dimension(surface, 3, 3);
+        const ProjectionQuery query = projection_query(curve, direction, tolerance);
+        give_meet(intersect::projected_along(query.curve, surface, query.direction, tolerance), out);
+    });
+}
 
-    nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve, const double *direction,
-                                          double tolerance, nurbs_meet **out) {
-        return guard([&] {
-            require_out(out);
-            const face::Face &own = face_of(face);
-            check_dimension(*own.surface(), 3, 3);
-            const ProjectionQuery query = projection_query(curve, direction, tolerance);
-            give_meet(face::projected_along(query.curve, own, query.direction, tolerance), out);
-        });
-    }
+nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nurbs *curve, const double *direction,
+                                              double tolerance, const nurbs_call_options *call,
+                                              nurbs_meet **out) {
+    return watched(call, out,
+                   [&] { return nurbs_surface_project_curve(g, curve, direction, tolerance, out); });
+}
 
-    nurbs_status nurbs_face_project_curve_with(const nurbs_face *face, const nurbs *curve,
-                                               const double *direction, double tolerance,
-                                               const nurbs_call_options *call, nurbs_meet **out) {
-        return watched(call, out,
-                       [&] { return nurbs_face_project_curve(face, curve, direction, tolerance, out); });
-    }
+nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve, const double *direction,
+                                      double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const face::Face &own = face_of(face);
+        check_dimension(*own.surface(), 3, 3);
+        const ProjectionQuery query = projection_query(curve, direction, tolerance);
+        give_meet(face::projected_along(query.curve, own, query.direction, tolerance), out);
+    });
+}
 
-    nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve, const double *direction,
-                                             double tolerance, nurbs_meet **out) {
-        return guard([&] {
-            require_out(out);
-            require(g, "g");
-            require(curve, "curve");
-            require(direction, "direction");
-            const Spline &surface = surface_of(g);
-            check_dimension(surface, 3, 3);
-            const ProjectionQuery query = projection_query(curve, direction, tolerance);
-            give_meet(intersect::projected_along(query.curve, surface, query.direction, tolerance), out);
-        });
-    }
+nurbs_status nurbs_face_project_curve_with(const nurbs_face *face, const nurbs *curve,
+                                           const double *direction, double tolerance,
+                                           const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out,
+                   [&] { return nurbs_face_project_curve(face, curve, direction, tolerance, out); });
+}
 
-    nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nurbs *curve, const double *direction,
-                                                  double tolerance, const nurbs_call_options *call,
-                                                  nurbs_meet **out) {
-        return watched(call, out,
-                       [&] { return nurbs_surface_project_curve(g, curve, direction, tolerance, out); });
-    }
+nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        require(meet, "meet");
+        *out = new nurbs_meet{meet->meet};
+    });
+}
 
-    nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve, const double *direction,
-                                          double tolerance, nurbs_meet **out) {
-        return guard([&] {
-            require_out(out);
-            const face::Face &own = face_of(face);
-            check_dimension(*own.surface(), 3, 3);
-            const ProjectionQuery query = projection_query(curve, direction, tolerance);
-            give_meet(face::projected_along(query.curve, own, query.direction, tolerance), out);
-        });
-    }
+void nurbs_meet_destroy(nurbs_meet *meet) {
+    delete meet;
+}
 
-    nurbs_status nurbs_face_project_curve_with(const nurbs_face *face, const nurbs *curve,
-                                               const double *direction, double tolerance,
-                                               const nurbs_call_options *call, nurbs_meet **out) {
-        return watched(call, out,
-                       [&] { return nurbs_face_project_curve(face, curve, direction, tolerance, out); });
-    }
+nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branches, int64_t *nodes, int32_t *complete) {
+    return guard([&] {
+        const intersect::Meet &own = meet_of(meet);
+        check_apart(
+            {memory("branches", branches, 1), memory("nodes", nodes, 1), memory("complete", complete, 1)},
+            {});
+        put(branches, int64_t{std::ssize(own.branches)});
+        put(nodes, int64_t{std::ssize(own.nodes)});
+        put(complete, int32_t{own.complete});
+    });
+}
 
-    nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out) {
-        return guard([&] {
-            require_out(out);
-            require(meet, "meet");
-            *out = new nurbs_meet{meet->meet};
-        });
-    }
+nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *end_nodes,
+                                 int64_t *loops, double *deviations, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("levels", levels, filled), memory("end_nodes", end_nodes, 2 * filled),
+                     memory("loops", loops, filled), memory("deviations", deviations, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(levels, i, branches[i].level);
+            put(end_nodes, 2 * i, branches[i].nodes[0]);
+            put(end_nodes, 2 * i + 1, branches[i].nodes[1]);
+            put(loops, i, branches[i].loop);
+            put(deviations, i, branches[i].deviation);
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
 
-    void nurbs_meet_destroy(nurbs_meet * meet) {
-        delete meet;
-    }
+nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("kinds", kinds, filled), memory("count", count, 1)}, {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(kinds, i, static_cast<int32_t>(branches[i].kind));
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
 
-    nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branches, int64_t *nodes,
-                                   int32_t *complete) {
-        return guard([&] {
-            const intersect::Meet &own = meet_of(meet);
-            check_apart(
-                {memory("branches", branches, 1), memory("nodes", nodes, 1), memory("complete", complete, 1)},
-                {});
-            put(branches, int64_t{std::ssize(own.branches)});
-            put(nodes, int64_t{std::ssize(own.nodes)});
-            put(complete, int32_t{own.complete});
-        });
-    }
+nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space, nurbs **on_surface) {
+    return guard([&] {
+        put(on_surface, static_cast<nurbs *>(nullptr));
+        require(space, "space");
+        *space = nullptr;
+        require(on_surface, "on_surface");
+        const intersect::Meet &own = meet_of(meet);
+        if (space == on_surface) {
+            fail(Status::overlap, "output on_surface overlaps space");
+        }
+        const intersect::MeetBranch &branch = branch_at(own, index);
+        auto in_space = std::make_unique<nurbs>(nurbs{branch.space});
+        give(branch.on, on_surface);
+        *space = in_space.release();
+    });
+}
 
-    nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *end_nodes,
-                                     int64_t *loops, double *deviations, int64_t *count) {
-        return guard([&] {
-            const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
-            const int64_t filled = checked_cap(cap, std::ssize(branches));
-            check_apart({memory("levels", levels, filled), memory("end_nodes", end_nodes, 2 * filled),
-                         memory("loops", loops, filled), memory("deviations", deviations, filled),
-                         memory("count", count, 1)},
-                        {});
-            for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-                put(levels, i, branches[i].level);
-                put(end_nodes, 2 * i, branches[i].nodes[0]);
-                put(end_nodes, 2 * i + 1, branches[i].nodes[1]);
-                put(loops, i, branches[i].loop);
-                put(deviations, i, branches[i].deviation);
-            }
-            put(count, int64_t{std::ssize(branches)});
-        });
-    }
+nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t index, nurbs **on_second) {
+    return guard([&] {
+        require(on_second, "on_second");
+        *on_second = nullptr;
+        const intersect::Meet &own = two_surfaces_of(meet);
+        give(branch_at(own, index).on_second, on_second);
+    });
+}
 
-    nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count) {
-        return guard([&] {
-            const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
-            const int64_t filled = checked_cap(cap, std::ssize(branches));
-            check_apart({memory("kinds", kinds, filled), memory("count", count, 1)}, {});
-            for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-                put(kinds, i, static_cast<int32_t>(branches[i].kind));
-            }
-            put(count, int64_t{std::ssize(branches)});
-        });
-    }
+nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
+                              double *params, double *ranges, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetNode> &nodes = meet_of(meet).nodes;
+        const int64_t filled = checked_cap(cap, std::ssize(nodes));
+        check_apart({memory("levels", levels, filled), memory("kinds", kinds, filled),
+                     memory("params", params, 2 * filled), memory("ranges", ranges, 4 * filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(levels, i, nodes[i].level);
+            put(kinds, i, static_cast<int32_t>(nodes[i].kind));
+            put_place(nodes[i].at, nodes[i].range, i, params, ranges);
+        }
+        put(count, int64_t{std::ssize(nodes)});
+    });
+}
 
-    nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space, nurbs **on_surface) {
-        return guard([&] {
-            put(on_surface, static_cast<nurbs *>(nullptr));
-            require(space, "space");
-            *space = nullptr;
-            require(on_surface, "on_surface");
-            const intersect::Meet &own = meet_of(meet);
-            if (space == on_surface) {
-                fail(Status::overlap, "output on_surface overlaps space");
-            }
-            const intersect::MeetBranch &branch = branch_at(own, index);
-            auto in_space = std::make_unique<nurbs>(nurbs{branch.space});
-            give(branch.on, on_surface);
-            *space = in_space.release();
-        });
-    }
+nurbs_status nurbs_meet_nodes_second(const nurbs_meet *meet, int64_t cap, double *params, double *ranges,
+                                     int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetNode> &nodes = two_surfaces_of(meet).nodes;
+        const int64_t filled = checked_cap(cap, std::ssize(nodes));
+        check_apart({memory("params", params, 2 * filled), memory("ranges", ranges, 4 * filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put_place(nodes[i].at_second, nodes[i].range_second, i, params, ranges);
+        }
+        put(count, int64_t{std::ssize(nodes)});
+    });
+}
 
-    nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t index, nurbs **on_second) {
-        return guard([&] {
-            require(on_second, "on_second");
-            *on_second = nullptr;
-            const intersect::Meet &own = two_surfaces_of(meet);
-            give(branch_at(own, index).on_second, on_second);
-        });
-    }
+nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *firsts,
+                             int64_t *sizes, int32_t *closes, double *gaps, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetWay> &ways = meet_of(meet).ways;
+        const int64_t filled = checked_cap(cap, std::ssize(ways));
+        check_apart({memory("levels", levels, filled), memory("firsts", firsts, filled),
+                     memory("sizes", sizes, filled), memory("closes", closes, filled),
+                     memory("gaps", gaps, filled), memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(levels, i, ways[i].level);
+            put(firsts, i, ways[i].first);
+            put(sizes, i, ways[i].count);
+            put(closes, i, int32_t{ways[i].closed});
+            put(gaps, i, ways[i].gap);
+        }
+        put(count, int64_t{std::ssize(ways)});
+    });
+}
 
-    nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
-                                  double *params, double *ranges, int64_t *count) {
-        return guard([&] {
-            const std::vector<intersect::MeetNode> &nodes = meet_of(meet).nodes;
-            const int64_t filled = checked_cap(cap, std::ssize(nodes));
-            check_apart({memory("levels", levels, filled), memory("kinds", kinds, filled),
-                         memory("params", params, 2 * filled), memory("ranges", ranges, 4 * filled),
-                         memory("count", count, 1)},
-                        {});
-            for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-                put(levels, i, nodes[i].level);
-                put(kinds, i, static_cast<int32_t>(nodes[i].kind));
-                put_place(nodes[i].at, nodes[i].range, i, params, ranges);
-            }
-            put(count, int64_t{std::ssize(nodes)});
-        });
-    }
+nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces, int64_t *own_instances,
+                              int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
+        const int64_t filled = checked_cap(cap, std::ssize(branches));
+        check_apart({memory("own_faces", own_faces, filled), memory("own_instances", own_instances, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(own_faces, i, branches[i].face);
+            put(own_instances, i, branches[i].instance);
+        }
+        put(count, int64_t{std::ssize(branches)});
+    });
+}
 
-    nurbs_status nurbs_meet_nodes_second(const nurbs_meet *meet, int64_t cap, double *params, double *ranges,
-                                         int64_t *count) {
-        return guard([&] {
-            const std::vector<intersect::MeetNode> &nodes = two_surfaces_of(meet).nodes;
-            const int64_t filled = checked_cap(cap, std::ssize(nodes));
-            check_apart({memory("params", params, 2 * filled), memory("ranges", ranges, 4 * filled),
-                         memory("count", count, 1)},
-                        {});
-            for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-                put_place(nodes[i].at_second, nodes[i].range_second, i, params, ranges);
-            }
-            put(count, int64_t{std::ssize(nodes)});
-        });
-    }
+nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, int64_t *next_nodes, double *gaps,
+                               int64_t *own_faces, int64_t *own_instances, int64_t *count) {
+    return guard([&] {
+        const std::vector<intersect::MeetNode> &nodes = meet_of(meet).nodes;
+        const int64_t filled = checked_cap(cap, std::ssize(nodes));
+        check_apart({memory("next_nodes", next_nodes, filled), memory("gaps", gaps, filled),
+                     memory("own_faces", own_faces, filled), memory("own_instances", own_instances, filled),
+                     memory("count", count, 1)},
+                    {});
+        for (size_t i = 0; std::cmp_less(i, filled); ++i) {
+            put(next_nodes, i, nodes[i].next);
+            put(gaps, i, nodes[i].gap);
+            put(own_faces, i, nodes[i].face);
+            put(own_instances, i, nodes[i].instance);
+        }
+        put(count, int64_t{std::ssize(nodes)});
+    });
+}
 
-    nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *firsts,
-                                 int64_t *sizes, int32_t *closes, double *gaps, int64_t *count) {
-        return guard([&] {
-            const std::vector<intersect::MeetWay> &ways = meet_of(meet).ways;
-            const int64_t filled = checked_cap(cap, std::ssize(ways));
-            check_apart({memory("levels", levels, filled), memory("firsts", firsts, filled),
-                         memory("sizes", sizes, filled), memory("closes", closes, filled),
-                         memory("gaps", gaps, filled), memory("count", count, 1)},
-                        {});
-            for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-                put(levels, i, ways[i].level);
-                put(firsts, i, ways[i].first);
-                put(sizes, i, ways[i].count);
-                put(closes, i, int32_t{ways[i].closed});
-                put(gaps, i, ways[i].gap);
-            }
-            put(count, int64_t{std::ssize(ways)});
-        });
-    }
+nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const intersect::Meet &whole = meet_of(meet);
+        check_trims(whole, face);
+        give_meet(face::trimmed(*face->face, whole), out);
+    });
+}
 
-    nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
-                                  int64_t *own_instances, int64_t *count) {
-        return guard([&] {
-            const std::vector<intersect::MeetBranch> &branches = meet_of(meet).branches;
-            const int64_t filled = checked_cap(cap, std::ssize(branches));
-            check_apart({memory("own_faces", own_faces, filled),
-                         memory("own_instances", own_instances, filled), memory("count", count, 1)},
-                        {});
-            for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-                put(own_faces, i, branches[i].face);
-                put(own_instances, i, branches[i].instance);
-            }
-            put(count, int64_t{std::ssize(branches)});
-        });
-    }
+nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
+                                  const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_meet_trim(meet, face, out); });
+}
 
-    nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, int64_t *next_nodes, double *gaps,
-                                   int64_t *own_faces, int64_t *own_instances, int64_t *count) {
-        return guard([&] {
-            const std::vector<intersect::MeetNode> &nodes = meet_of(meet).nodes;
-            const int64_t filled = checked_cap(cap, std::ssize(nodes));
-            check_apart({memory("next_nodes", next_nodes, filled), memory("gaps", gaps, filled),
-                         memory("own_faces", own_faces, filled),
-                         memory("own_instances", own_instances, filled), memory("count", count, 1)},
-                        {});
-            for (size_t i = 0; std::cmp_less(i, filled); ++i) {
-                put(next_nodes, i, nodes[i].next);
-                put(gaps, i, nodes[i].gap);
-                put(own_faces, i, nodes[i].face);
-                put(own_instances, i, nodes[i].instance);
-            }
-            put(count, int64_t{std::ssize(nodes)});
-        });
-    }
+nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const intersect::Meet &whole = two_surfaces_of(meet);
+        check_trims(whole, face);
+        give_meet(face::trimmed(*face->face, whole, 1), out);
+    });
+}
 
-    nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
-        return guard([&] {
-            require_out(out);
-            const intersect::Meet &whole = meet_of(meet);
-            check_trims(whole, face);
-            give_meet(face::trimmed(*face->face, whole), out);
-        });
-    }
-
-    nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
-                                      const nurbs_call_options *call, nurbs_meet **out) {
-        return watched(call, out, [&] { return nurbs_meet_trim(meet, face, out); });
-    }
-
-    nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
-        return guard([&] {
-            require_out(out);
-            const intersect::Meet &whole = two_surfaces_of(meet);
-            check_trims(whole, face);
-            give_meet(face::trimmed(*face->face, whole, 1), out);
-        });
-    }
-
-    nurbs_status nurbs_meet_trim_second_with(const nurbs_meet *meet, const nurbs_face *face,
-                                             const nurbs_call_options *call, nurbs_meet **out) {
-        return watched(call, out, [&] { return nurbs_meet_trim_second(meet, face, out); });
-    }
+nurbs_status nurbs_meet_trim_second_with(const nurbs_meet *meet, const nurbs_face *face,
+                                         const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_meet_trim_second(meet, face, out); });
+}

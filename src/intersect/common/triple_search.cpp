@@ -43,12 +43,12 @@ double parameter_at(const Interval &range, double place) noexcept {
 } // namespace
 
 TripleSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends)
-    : ground(surface, ends, side_shifts[0]), cells(surface, frame) {}
+    : ground(surface, frame, ends, side_shifts[0]), cells(surface, frame) {}
 
 CrossCell &TripleSearch::Side::root(PairCell &cell) {
     if (cell.mark == 0) {
         pieces.emplace_back(*cell.piece, ground);
-        roots.push_back(&parts.emplace_back(pieces.back()));
+        roots.push_back(&parts.emplace_back(pieces.back(), &memory));
         cell.mark = roots.size();
         count_work(work_of_a_kept_part);
     }

@@ -7,6 +7,7 @@
 #include "intersect/common/triple_chart.h"
 
 #include <deque>
+#include <memory_resource>
 #include <vector>
 
 namespace nrb::intersect {
@@ -31,6 +32,7 @@ private:
         CrossGround ground;
         closest::PairCells cells;
         std::deque<CrossPiece> pieces;
+        std::pmr::monotonic_buffer_resource memory; // of the parts, which are many: it is given back at once
         std::deque<CrossCell> parts;
         std::vector<CrossCell *> roots; // by marks of cells
     };

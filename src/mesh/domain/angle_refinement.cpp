@@ -131,6 +131,11 @@ bool AngleRefinement::improve(int32_t t) {
     return done || halve_longest(t, shortest * least_half);
 }
 
+void AngleRefinement::keep_near() noexcept {
+    keeps_near_ = true;
+    budget_ = std::min<int64_t>(budget_, net_.size() / 8 + 1000);
+}
+
 // Where flips are not free to do their part. Angles near 30 degrees would never come to an end by that.
 bool AngleRefinement::halve_longest(int32_t t, double shortest) {
     if (halvings_ <= 0) {

@@ -40,7 +40,8 @@ public:
 
     // From now on flips make no sides that are too far from the surface, even where angles would be larger: else what one division
     // mends would go on in the triangles beside it, row by row.
-    void keep_near() noexcept { keeps_near_ = true; }
+    // There are not many more triangles by that.
+    void keep_near() noexcept;
     // Until no triangle can be made better, or the limit of work.
     void run();
     // Halves the longest side of a triangle that can be halved, if it is longer than that in the unit of the sites. A segment of the border would have to be

@@ -13,7 +13,7 @@ namespace {
 // Rounds in which triangles that are better shaped, and therefore elsewhere, are proven and divided.
 constexpr int most_proofs = 12;
 // Those that may put far sides in the place of near ones: few triangles are left to be divided.
-constexpr int free_rounds = 3;
+constexpr int free_rounds = 5;
 
 } // namespace
 
