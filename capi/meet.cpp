@@ -368,6 +368,8 @@ nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face
 nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out) {
     return guard([&] {
         require_out(out);
+        require(meet, "meet");
+        require(face, "face");
         const intersect::Meet &whole = two_surfaces_of(meet);
         check_trims(whole, face);
         give_meet(face::trimmed(*face->face, whole, 1), out);

@@ -251,8 +251,7 @@ static void refused_by_meets(void) {
     memset(kinds, 0x5a, sizeof kinds);
     CHECK_FAILS(nurbs_meet_kinds(NULL, most, kinds, &count), NURBS_ERROR_NULL, "meet");
     CHECK_FAILS(nurbs_meet_kinds(meet, -1, kinds, &count), NURBS_ERROR_COUNT, "cap = -1");
-    CHECK_FAILS(nurbs_meet_kinds(meet, most, kinds, (int64_t *)(void *)kinds), NURBS_ERROR_OVERLAP,
-                "kinds");
+    CHECK_FAILS(nurbs_meet_kinds(meet, most, kinds, (int64_t *)(void *)kinds), NURBS_ERROR_OVERLAP, "kinds");
     CHECK_UNTOUCHED(kinds);
     CHECK_OK(nurbs_meet_kinds(meet, 0, NULL, &count));
     CHECK_INT(count, 1);

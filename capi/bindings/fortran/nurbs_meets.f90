@@ -28,8 +28,8 @@ module nurbs_meets
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
         procedure :: sections, contours, reflections, level, level_curves, surfaces, of_faces, projection
-        procedure :: face_projection, counts, branches, kinds, branch, branch_second, nodes, nodes_second, ways, faces
-        procedure :: faces_second, joints, joints_second, model_sections, of_models, trimmed, trimmed_second
+        procedure :: face_projection, counts, branches, branch_kinds, branch, branch_second, nodes, nodes_second, ways
+        procedure :: faces, faces_second, joints, joints_second, model_sections, of_models, trimmed, trimmed_second
     end type nurbs_meet
 
 contains
@@ -258,7 +258,7 @@ contains
     end subroutine branches
 
     !> What the branches are, one of the NURBS_BRANCH_ constants each.
-    subroutine kinds(this, kinds, status)
+    subroutine branch_kinds(this, kinds, status)
         class(nurbs_meet), intent(in) :: this
         integer(c_int32_t), allocatable, intent(inout) :: kinds(:)
         integer(c_int32_t), intent(out), optional :: status
@@ -270,7 +270,7 @@ contains
         allocate (kinds(n))
         if (code == NURBS_OK) code = nurbs_meet_kinds(this%handle, n, kinds)
         call settle(code, status)
-    end subroutine kinds
+    end subroutine branch_kinds
 
     !> The curves of a branch, with common knots: in space, and in the parameter domain.
     subroutine branch(this, index, space, on_surface, status)

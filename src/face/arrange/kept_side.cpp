@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/watch.h"
 #include "closest/closest.h"
 #include "eval/evaluate.h"
 #include "face/arrange/split.h"
@@ -30,11 +31,16 @@ bool meets(const Face &face, const Point2 &lower, const Point2 &upper) {
     return inside({0, 0}) || covering.any_move(lower, upper, inside);
 }
 
+constexpr int64_t more_than_any_limit = int64_t{1} << 60;
+
 void check_decided(const Face &face, const intersect::Meet &meet) {
     for (const intersect::MeetNode &node : meet.nodes) {
         const auto &[u, v] = node.range;
         if (node.kind == intersect::NodeKind::undecided &&
             meets(face, {u.lower, v.lower}, {u.upper, v.upper})) {
+            if (meet.limited) { // a limit of the caller ends the call
+                count_work(more_than_any_limit);
+            }
             fail(Status::not_converged, "it is undecided how the surface meets the face at (%s, %s)",
                  Number(node.at[0]).text, Number(node.at[1]).text);
         }

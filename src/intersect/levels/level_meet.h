@@ -67,6 +67,7 @@ struct Meet {
     std::vector<MeetNode> nodes;
     std::vector<MeetWay> ways; // of arranged()
     bool complete = true;      // no node is undecided
+    bool limited = false;      // some of them are so since work came to its end
     bool of_two = false;       // surfaces: branches and nodes are on a second one, too
     // Of each of two surfaces: the domains of axes that are periodic, on which branches may run into neighbouring periods.
     std::array<std::array<std::optional<Interval>, 2>, 2> periodic{};

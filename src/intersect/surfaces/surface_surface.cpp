@@ -27,10 +27,12 @@ std::array<std::optional<Interval>, 2> periodic_axes_of(const Spline &surface) {
     return domains;
 }
 
-// Curves are made of the other half of the work.
-CrossParts parts_of(CrossSearch &search, double tolerance) {
+// Curves are made of the other half of the work. limited: whether this one ended.
+CrossParts parts_of(CrossSearch &search, double tolerance, bool &limited) {
     const HalfOfWork half;
-    return search.run(tolerance);
+    CrossParts found = search.run(tolerance);
+    limited = work_ended();
+    return found;
 }
 
 } // namespace
@@ -42,14 +44,14 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     const SurfaceBorders borders_a(grid_a), borders_b(grid_b);
     const CrossSurface on_a{grid_a, borders_a}, on_b{grid_b, borders_b};
     CrossSearch search(a, b, borders_a, borders_b);
-    CrossParts found = parts_of(search, tolerance);
+    Meet meet;
+    CrossParts found = parts_of(search, tolerance, meet.limited);
     remove_repeats(on_a, on_b, found);
     const double in_frame = search.frame().scaled(tolerance);
     ContactTracer tracer(search.solver(), degrees_of(a), degrees_of(b), in_frame);
     const std::vector<ContactCurve> contacts = contact_curves(tracer, in_frame, found);
     const CrossTouch touch(search.ground(0), search.ground(1), search.frame().scaled(tolerance));
     CrossChains chains = cross_chains(on_a, on_b, touch, found);
-    Meet meet;
     meet.of_two = true;
     meet.periodic = {periodic_axes_of(a), periodic_axes_of(b)};
     meet.nodes = std::move(chains.nodes);

@@ -12,7 +12,7 @@ namespace {
 // Of the shortest side of a triangle, for new ones: places of the domain are not quite where they are wanted in space.
 constexpr double least_of_shortest = 0.85;
 // Triangles with smaller ones are segments, as all are where an axis has degree 0.
-constexpr double no_angle = 1e-12;
+constexpr double no_angle = 1e-6;
 constexpr int most_tries = 4, most_passes = 32;
 // The same for the halves of a longest side, where no other place is any good.
 constexpr double least_half = 0.4;

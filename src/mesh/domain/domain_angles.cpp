@@ -14,6 +14,8 @@ namespace {
 constexpr int most_proofs = 12;
 // Those that may put far sides in the place of near ones: few triangles are left to be divided.
 constexpr int free_rounds = 5;
+// Larger angles than about this one leave no freedom for it.
+constexpr double most_kept_near = 0.4;
 
 } // namespace
 
@@ -94,7 +96,7 @@ void DomainMesher::keep_least_angle() {
     }
     AngleRefinement refinement = this->refinement();
     for (int round = 0;; ++round) {
-        if (round == free_rounds) {
+        if (round == free_rounds && rule_.least_angle <= most_kept_near) {
             refinement.keep_near();
         }
         refinement.run();

@@ -934,7 +934,8 @@ void data(const Inputs &in) {
     {
         begin("face_intersections");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
-        const n::Face upright = n::Face::create(wall, {}, {}, {}, {}, 0.001, 0u);
+        const n::Spline upright_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, {}, 0u);
+        const n::Face upright = n::Face::create(wall, {1}, std::vector<n::Spline>{upright_outline}, {}, {}, 0.001, 0u);
         const auto found = n::Meet::of_faces(in.face, upright, 0.1);
         show("out", found);
     }
@@ -1548,7 +1549,8 @@ void data(const Inputs &in) {
     {
         begin("face_intersections_with");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
-        const n::Face upright = n::Face::create(wall, {}, {}, {}, {}, 0.001, 0u);
+        const n::Spline upright_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, {}, 0u);
+        const n::Face upright = n::Face::create(wall, {1}, std::vector<n::Spline>{upright_outline}, {}, {}, 0.001, 0u);
         const auto found = n::Meet::of_faces(in.face, upright, 0.1, watched());
         show("out", found);
     }

@@ -1878,18 +1878,23 @@ contains
         call begin('face_intersections')
         block
             type(nurbs_spline) :: wall
+            type(nurbs_spline) :: upright_outline
             type(nurbs_face) :: upright
+            type(nurbs_spline) :: curves_given(1)
             type(nurbs_meet) :: found
             call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
                 0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
-            call upright%create(surface=wall, tolerance=0.001d0, flags=0)
+            call upright_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
+                points=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, 0.0d0], [4, 2], order=[2, 1]), flags=0)
+            curves_given(1) = upright_outline
+            call upright%create(surface=wall, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
             call found%of_faces(a=face, b=upright, tolerance=0.1d0)
             call show('out', found)
         end block
         call begin('meet_kinds')
         block
             integer(c_int32_t), allocatable :: kinds_found(:)
-            call meet%kinds(kinds=kinds_found)
+            call meet%branch_kinds(kinds=kinds_found)
             call show('kinds', kinds_found)
         end block
         call begin('surface_project_curve')
@@ -2835,12 +2840,17 @@ contains
         call begin('face_intersections_with')
         block
             type(nurbs_spline) :: wall
+            type(nurbs_spline) :: upright_outline
             type(nurbs_face) :: upright
+            type(nurbs_spline) :: curves_given(1)
             type(nurbs_call) :: watching
             type(nurbs_meet) :: found
             call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
                 0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
-            call upright%create(surface=wall, tolerance=0.001d0, flags=0)
+            call upright_outline%create(degrees=[1], counts=[4], knots=[0.0d0, 0.0d0, 1.0d0, 2.0d0, 3.0d0, 3.0d0], &
+                points=reshape([0.0d0, 0.0d0, 1.0d0, 0.0d0, 0.0d0, 1.0d0, 0.0d0, 0.0d0], [4, 2], order=[2, 1]), flags=0)
+            curves_given(1) = upright_outline
+            call upright%create(surface=wall, sizes=[1], curves=curves_given, tolerance=0.001d0, flags=0)
             call found%of_faces(a=face, b=upright, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block

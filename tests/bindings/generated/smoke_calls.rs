@@ -1603,7 +1603,16 @@ fn data(given: &Given) -> nurbs::Result<()> {
             ],
             None,
         )?;
-        let upright = Face::create(&wall, &[], &[], &[], &[], 0.001, 0)?;
+        let upright_outline = Spline::create(
+            &[1],
+            &[4],
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            2,
+            &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+            None,
+            0,
+        )?;
+        let upright = Face::create(&wall, &[1], &[Some(&upright_outline)], &[], &[], 0.001, 0)?;
         let found = Meet::of_faces(&given.face, &upright, 0.1)?;
         show("out", &found);
     }
@@ -2530,7 +2539,16 @@ fn data(given: &Given) -> nurbs::Result<()> {
             ],
             None,
         )?;
-        let upright = Face::create(&wall, &[], &[], &[], &[], 0.001, 0)?;
+        let upright_outline = Spline::create(
+            &[1],
+            &[4],
+            &[0.0, 0.0, 1.0, 2.0, 3.0, 3.0],
+            2,
+            &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+            None,
+            0,
+        )?;
+        let upright = Face::create(&wall, &[1], &[Some(&upright_outline)], &[], &[], 0.001, 0)?;
         let found = Meet::of_faces_with(
             &given.face,
             &upright,

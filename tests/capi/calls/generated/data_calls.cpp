@@ -1011,6 +1011,10 @@ const Call group[] = {
          if (made_wall.status() != NURBS_OK) {
              return made_wall.status();
          }
+         Made made_upright_outline(in, make_upright_outline);
+         if (made_upright_outline.status() != NURBS_OK) {
+             return made_upright_outline.status();
+         }
          Made made_upright(in, make_upright);
          if (made_upright.status() != NURBS_OK) {
              return made_upright.status();
@@ -1891,6 +1895,10 @@ const Call group[] = {
          Made made_wall(in, make_wall);
          if (made_wall.status() != NURBS_OK) {
              return made_wall.status();
+         }
+         Made made_upright_outline(in, make_upright_outline);
+         if (made_upright_outline.status() != NURBS_OK) {
+             return made_upright_outline.status();
          }
          Made made_upright(in, make_upright);
          if (made_upright.status() != NURBS_OK) {

@@ -256,12 +256,26 @@ nurbs_status make_moved_face(const Inputs &in, nurbs_face **out) {
     return nurbs_face_create(in.surface, 1, sizes, curves, nullptr, nullptr, 0.001, 0, nullptr, out);
 }
 
+nurbs_status make_upright_outline(const Inputs &, nurbs **out) {
+    static constexpr int32_t degrees[] = {1};
+    static constexpr int64_t counts[] = {4};
+    static constexpr double knots[] = {0, 0, 1, 2, 3, 3};
+    static constexpr double points[] = {0, 0, 1, 0, 0, 1, 0, 0};
+    return nurbs_create(1, degrees, counts, knots, 6, 2, points, 0, 0, nullptr, 0, 0, out);
+}
+
 nurbs_status make_upright(const Inputs &in, nurbs_face **out) {
     Made made_wall(in, make_wall);
     if (made_wall.status() != NURBS_OK) {
         return made_wall.status();
     }
-    return nurbs_face_create(made_wall, 0, nullptr, nullptr, nullptr, nullptr, 0.001, 0, nullptr, out);
+    Made made_upright_outline(in, make_upright_outline);
+    if (made_upright_outline.status() != NURBS_OK) {
+        return made_upright_outline.status();
+    }
+    static constexpr int64_t sizes[] = {1};
+    const nurbs *const curves[] = {made_upright_outline};
+    return nurbs_face_create(made_wall, 1, sizes, curves, nullptr, nullptr, 0.001, 0, nullptr, out);
 }
 
 nurbs_status make_divider(const Inputs &, nurbs **out) {

@@ -291,6 +291,7 @@ nurbs_status make_another_mesh(const Inputs &in, nurbs_mesh **out);
 nurbs_status make_another_face(const Inputs &in, nurbs_face **out);
 nurbs_status make_moved_outline(const Inputs &in, nurbs **out);
 nurbs_status make_moved_face(const Inputs &in, nurbs_face **out);
+nurbs_status make_upright_outline(const Inputs &in, nurbs **out);
 nurbs_status make_upright(const Inputs &in, nurbs_face **out);
 nurbs_status make_divider(const Inputs &in, nurbs **out);
 nurbs_status make_cutter(const Inputs &in, nurbs **out);
