@@ -160,15 +160,15 @@ TEST(CrossingsInFaces, GoOnAcrossSeams) {
     EXPECT_EQ(found.found.count(NURBS_NODE_BORDER), 2);
 }
 
-// What is undecided beside a face is none of it: a ball lies on a plane, outside of the face and in it.
+// What is undecided beside a face is none of it: a square lies in a plane, outside of the face and in it.
 TEST(CrossingsInFaces, WhatIsUndecidedOutsideIsLeftOut) {
-    const Handle ball = made([](nurbs **out) {
-        return nurbs_surface_sphere(nullptr, nullptr, nullptr, 1, NURBS_ARC_QUARTERS, out);
-    });
+    const Handle square = create(net_of({2, 2}, {1, 1}, false, [](double x, double y) {
+        return std::array<double, 4>{x - 0.5, y - 0.5, 1, 1};
+    }));
     const Handle plane = create(net_of({33, 33}, {1, 1}, false, [](double x, double y) {
         return std::array<double, 4>{8 * x - 4.1, 8 * y - 4.1, 1, 1};
     }));
-    const MeetHandle whole = meet_of(plane, ball);
+    const MeetHandle whole = meet_of(plane, square);
     ASSERT_FALSE(found_in(whole.get()).complete);
     const int32_t degree = 1;
     const int64_t count = 5, one = 1;

@@ -40,6 +40,7 @@ void check_decided(const Face &face, const intersect::Meet &meet) {
             meets(face, {u.lower, v.lower}, {u.upper, v.upper})) {
             if (meet.limited) { // a limit of the caller ends the call
                 count_work(more_than_any_limit);
+                require_work();
             }
             fail(Status::not_converged, "it is undecided how the surface meets the face at (%s, %s)",
                  Number(node.at[0]).text, Number(node.at[1]).text);
