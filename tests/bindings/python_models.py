@@ -224,6 +224,15 @@ class Models(unittest.TestCase):
         self.assertEqual(status_of(lambda: ball.trim(plane, nurbs.NURBS_TRIM_FRONT, 0)), nurbs.NURBS_ERROR_TOLERANCE)
         self.assertEqual(status_of(lambda: ball.trim(plane, 1, 1e-9, work=1)), nurbs.NURBS_ERROR_WORK)
 
+    def test_models_that_meet(self):
+        floor, wall = (nurbs.Model.create([nurbs.Face(nurbs.plane(*vectors))])
+                       for vectors in (([2, 0, 0], [0, 4, 0]), ([0, 4, 0], [0, 0, 2], [1, 0, -1])))
+        line = floor.meet(wall, 1e-9)
+        self.assertEqual((line.counts.branches, line.counts.complete), (1, True))
+        self.assertAlmostEqual(line.branch(0).space.length().value, 4, 8)
+        self.assertEqual((line.faces.faces.tolist(), line.faces_second.faces.tolist()), ([0], [0]))
+        self.assertRaises(nurbs.ArgumentError, floor.meet, wall, -1.0)
+
     def test_models_of_faces(self):
         two = nurbs.Model(self.model.faces[:2], 0.001)
         self.assertEqual(([face.name for face in two.faces], two.unit), (["0", "1"], 0.001))
