@@ -5902,8 +5902,9 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * F = A(u, v) - B(s, t) and M the inverse of its derivative without one column k, the largest row sum of |I - M F'| over
  * both parts is below 1: then the common points in them are a graph over parameter k, of which neither a loop nor an end
  * can be inside, and its ends on the sides of the box are those of its neighbours. So a loop of any size is found as long as
- * double precision tells both surfaces apart in it. Every branch runs along N_b x N_a with N = S_u x S_v: in the parameter
- * domain of a the side of b to which its normals point is on the left. Branches close, or end in nodes
+ * double precision tells both surfaces apart in it. Every branch but those of the kind NURBS_BRANCH_TOUCH, which
+ * run either way, runs along N_b x N_a with N = S_u x S_v: in the parameter domain of a the side of b to which its normals
+ * point is on the left. Branches close, or end in nodes
  * - BORDER: one of both surfaces ends or jumps there.
  * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
  * - TOUCH: all that both have in the ranges of the node lies between two planes no farther apart than the tolerance, or in a
@@ -6089,8 +6090,8 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 /** \brief What the branches of a meet are.
  * \param[in] meet a meet.
  * \param[in] cap length of the output: 0, or at least the number of branches.
- * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each; EDGE and CONTACT in meets of faces and models only, TOUCH of
- *   two surfaces only.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each: EDGE and CONTACT in meets of faces only, TOUCH wherever two
+ *   surfaces are met, trimmed or not.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -6109,7 +6110,7 @@ NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, 
                                          nurbs **on_surface);
 
 /** \brief The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
- * \param[in] meet of nurbs_surface_intersections(), nurbs_surface_project_curve() or nurbs_face_project_curve().
+ * \param[in] meet of two surfaces, faces or models, or of a projection.
  * \param[in] index 0-based.
  * \param[out] on_second the curve in the parameter domain of the second surface, with the knots of those of
  *   nurbs_meet_branch(). Its control points are in the domain; on a periodic axis it may run into neighbouring periods.
@@ -6132,7 +6133,7 @@ NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int
                                         double *params, double *ranges, int64_t *count);
 
 /** \brief Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
- * \param[in] meet of nurbs_surface_intersections(), nurbs_surface_project_curve() or nurbs_face_project_curve().
+ * \param[in] meet of two surfaces, faces or models, or of a projection.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
  * \param[out] params [cap][2] or NULL: parameters of the second surface, in its domain; of a part its middle.
  * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis.
@@ -8625,8 +8626,8 @@ NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t cou
  * domain of the face is in front. A part that the surface does not come to is in front if P - Q points as N does, where P is a
  * place in it and Q the nearest point of the surface (nurbs_closest_points()), certified, and not on its border: there the
  * surface tells no side. A surface has to divide the face from border to border; one that ends inside of it is
- * refused. Where both only touch nothing is divided; as long as it is undecided in the face how they meet, as where they touch along curves, nothing is
- * answered.
+ * refused. Where both only touch, in points or along curves, nothing is divided there; as long as it is undecided in the face how they
+ * meet, or curves cross each other in it that are not told apart there, nothing is answered.
  * \param[in] face a face of a surface of dimension 3.
  * \param[in] surface of dimension 3, all of it; its own border does not trim it.
  * \param[in] side one of the NURBS_TRIM_ constants.

@@ -182,6 +182,12 @@ void require_work() {
     }
 }
 
+void end_for_work() {
+    if (watch_of_thread != nullptr && watch_of_thread->limit_ < std::numeric_limits<int64_t>::max()) {
+        watch_of_thread->end();
+    }
+}
+
 UsualLimit::UsualLimit(int64_t work) noexcept : watch_(Watch::current()) {
     if (watch_ == nullptr) {
         watch_ = &own_.emplace(Watch::Wishes{});

@@ -59,6 +59,7 @@ private:
     friend class NeededWork;
     friend class UsualLimit;
     friend void require_work();
+    friend void end_for_work();
     using Clock = std::chrono::steady_clock;
     // Multiply-adds between two looks at the clock, which takes as long as about 100 of them.
     static constexpr int64_t often = 1 << 14;
@@ -197,6 +198,8 @@ private:
 [[nodiscard]] bool work_ended() noexcept;
 // Throws as Watch::count() does if a limited search has come to the limit of work: for those to whom half an answer is none.
 void require_work();
+// The same where a part of the work, such as its half, has ended; without a limit it does nothing.
+void end_for_work();
 
 // While this exists, and the caller has set no limit of work, there is one of so many multiply-adds: a limited search ends
 // with what it has, any other loop with Status::not_converged.

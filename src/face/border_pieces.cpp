@@ -75,7 +75,7 @@ std::set<BorderPieces::Key> BorderPieces::near(const Spline &curve) const {
         Point2 lower{infinity, infinity}, upper{-infinity, -infinity};
         for (int64_t i = span - p; i <= span; ++i) {
             for (size_t k = 0; k < 2; ++k) {
-                const double x = curve.points()[2 * static_cast<size_t>(i) + k];
+                const double x = curve.coordinate(i, static_cast<int>(k));
                 lower[k] = std::min(lower[k], x);
                 upper[k] = std::max(upper[k], x);
             }

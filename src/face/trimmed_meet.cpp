@@ -32,6 +32,7 @@ public:
         : face_(face), meet_(meet), surface_(surface), border_(face), apart_(apart), left_out_(left_out) {
         result_.of_two = meet.of_two;
         result_.periodic = meet.periodic;
+        result_.limited = meet.limited;
     }
 
     BorderedMeet run() {

@@ -273,7 +273,7 @@ void trim(Input &in, const Faces &faces) {
             FUZZ_REQUIRE(nurbs_face_classify(face, 1, x, 0, 0, 1e-2, &whole) == NURBS_OK);
             const int32_t ahead = front.side(x, 0), behind = back.side(x, 0);
             FUZZ_REQUIRE(whole == 0 || ahead == 0 || behind == 0 ||
-                         (ahead > 0) + (behind > 0) >= (whole > 0 ? 1 : 0));
+                         (ahead > 0) + (behind > 0) == (whole > 0 ? 1 : 0));
             FUZZ_REQUIRE(whole >= 0 || (ahead <= 0 && behind <= 0));
         }
     }

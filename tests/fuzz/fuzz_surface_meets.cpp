@@ -83,7 +83,7 @@ void look_at(const nurbs_meet *found) {
     std::vector<int32_t> own_kinds(static_cast<size_t>(branches));
     FUZZ_REQUIRE(nurbs_meet_kinds(found, branches, own_kinds.data(), nullptr) == NURBS_OK);
     for (const int32_t kind : own_kinds) {
-        FUZZ_REQUIRE(kind == NURBS_BRANCH_CROSSING || kind == NURBS_BRANCH_TOUCH);
+        FUZZ_REQUIRE(kind >= NURBS_BRANCH_CROSSING && kind <= NURBS_BRANCH_TOUCH);
     }
     for (int64_t i = 0; i < std::min<int64_t>(branches, 16); ++i) {
         nurbs *space = nullptr, *on = nullptr, *on_second = nullptr;
@@ -111,15 +111,6 @@ Face face_of(const nurbs *g) {
     return Face(face);
 }
 
-void look_at_kinds(const nurbs_meet *found) {
-    int64_t count = 0;
-    FUZZ_REQUIRE(nurbs_meet_kinds(found, 0, nullptr, &count) == NURBS_OK);
-    std::vector<int32_t> kinds(static_cast<size_t>(count));
-    FUZZ_REQUIRE(nurbs_meet_kinds(found, count, kinds.data(), nullptr) == NURBS_OK);
-    FUZZ_REQUIRE(std::ranges::all_of(
-        kinds, [](int32_t kind) { return kind >= NURBS_BRANCH_CROSSING && kind <= NURBS_BRANCH_CONTACT; }));
-}
-
 // What lies in a face of each, in one after the other and in both at once: branches lie in the domains that they lay in.
 void look_at_parts(const nurbs_meet *found, const nurbs *a, const nurbs *b, double tolerance,
                    const nurbs_call_options &call, bool plain) {
@@ -142,7 +133,6 @@ void look_at_parts(const nurbs_meet *found, const nurbs *a, const nurbs *b, doub
                  own == nullptr);
     if (FUZZ_OK(nurbs_face_intersections_with(first.get(), second.get(), tolerance, &call, &own))) {
         look_at(own);
-        look_at_kinds(own);
         nurbs_meet_destroy(own);
     }
 }

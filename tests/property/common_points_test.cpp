@@ -48,7 +48,7 @@ void check_points(const Common &found, const std::array<const nurbs *, 3> &surfa
         for (size_t k = 0; k < 6; ++k) {
             const double *range = found.ranges.data() + 12 * i + 2 * k, at = found.params[6 * i + k];
             EXPECT_TRUE((range[0] <= at && at <= range[1]) ||
-                        at + 1 <= range[1]); // of axes that close, from 0 to 1
+                        (range[0] <= at + 1 && at + 1 <= range[1])); // of axes that close, from 0 to 1
             if (found.kinds[i] == NURBS_HIT_CROSSING) {
                 EXPECT_LE(range[1] - range[0], 1e-9);
             }

@@ -201,4 +201,45 @@ TEST(FaceTrim, PlatesWithHoles) {
     });
 }
 
+// All of it is kept for one side, nothing for the other one: along a curve of contact it stays on its side.
+TEST(FaceTrim, WhatTouchesAlongACurveIsNotDivided) {
+    const Handle torus = made([](nurbs **out) {
+        return nurbs_surface_torus(nullptr, nullptr, nullptr, 2, 0.5, 0, 2 * pi, 0, 2 * pi,
+                                   NURBS_ARC_QUARTERS, out);
+    });
+    const Handle around = made([](nurbs **out) {
+        const double base[] = {0, 0, -1};
+        return nurbs_surface_cylinder(base, nullptr, nullptr, 2.5, 2, 0, 2 * pi, NURBS_ARC_QUARTERS, out);
+    });
+    const Handle plate = square({0, 0, 1}, 0.5, 4), turned = square({0, 0, 1}, 0.5, 4, true);
+    const auto expect_whole = [](const Handle &surface, const Handle &cutter, double size, int32_t side) {
+        const Face face = whole(surface.get());
+        EXPECT_NEAR(area(trim(face.get(), cutter.get(), side)), size, 1e-6 * size);
+        EXPECT_TRUE(faces_of(trim(face.get(), cutter.get(), -side).get()).empty());
+    };
+    const double ring = 4 * pi * pi;
+    expect_whole(torus, plate, ring, NURBS_TRIM_BACK);
+    expect_whole(torus, turned, ring, NURBS_TRIM_FRONT);
+    expect_whole(torus, around, ring, NURBS_TRIM_BACK);
+    expect_whole(plate, torus, 64, NURBS_TRIM_FRONT);
+    expect_whole(around, torus, 10 * pi, NURBS_TRIM_FRONT);
+}
+
+// Cylinders of equal radii: curves that cross each other are not told apart where they do.
+TEST(FaceTrim, CurvesThatCrossEachOtherAreRefusedByName) {
+    const auto tube = [](const Point3 &base, const Point3 &axis) {
+        return made([&](nurbs **out) {
+            return nurbs_surface_cylinder(base.data(), axis.data(), nullptr, 1, 6, 0, 2 * pi,
+                                          NURBS_ARC_QUARTERS, out);
+        });
+    };
+    const Handle upright = tube({0, 0, -3}, {0, 0, 1}), across = tube({-3, 0, 0}, {1, 0, 0});
+    Model out;
+    EXPECT_EQ(try_trim(whole(upright.get()).get(), across.get(), NURBS_TRIM_FRONT, out),
+              NURBS_ERROR_NOT_CONVERGED);
+    char text[400];
+    nurbs_last_error(text, sizeof text);
+    EXPECT_NE(std::string(text).find("not told apart"), std::string::npos) << text;
+}
+
 } // namespace face_trim_test

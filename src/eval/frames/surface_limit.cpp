@@ -75,10 +75,18 @@ int highest_normal_order(const Spline &spline) noexcept {
 } // namespace
 
 SurfaceNormal surface_normal(const Spline &spline, const AxisRules &rules, const double *param) noexcept {
+    constexpr int usual = 2; // of poles; beyond that all orders are evaluated at once
     SurfaceNormal normal;
     Jet jet;
-    for (int order = 1; order <= highest_normal_order(spline); ++order) {
-        if (!jet.evaluate(spline, rules, param, order) || leading_term(jet, order - 1, normal)) {
+    const int highest = highest_normal_order(spline);
+    for (int order = 1, known = 0; order <= highest; ++order) {
+        if (order > known) {
+            known = order <= usual ? order : highest;
+            if (!jet.evaluate(spline, rules, param, known)) {
+                break;
+            }
+        }
+        if (leading_term(jet, order - 1, normal)) {
             break;
         }
     }

@@ -31,19 +31,30 @@ bool meets(const Face &face, const Point2 &lower, const Point2 &upper) {
     return inside({0, 0}) || covering.any_move(lower, upper, inside);
 }
 
-constexpr int64_t more_than_any_limit = int64_t{1} << 60;
-
 void check_decided(const Face &face, const intersect::Meet &meet) {
     for (const intersect::MeetNode &node : meet.nodes) {
         const auto &[u, v] = node.range;
         if (node.kind == intersect::NodeKind::undecided &&
             meets(face, {u.lower, v.lower}, {u.upper, v.upper})) {
-            if (meet.limited) { // a limit of the caller ends the call
-                count_work(more_than_any_limit);
-                require_work();
+            if (meet.limited) {
+                end_for_work();
             }
             fail(Status::not_converged, "it is undecided how the surface meets the face at (%s, %s)",
                  Number(node.at[0]).text, Number(node.at[1]).text);
+        }
+    }
+}
+
+// Branches that cross each other end in such nodes.
+void check_told_apart(const intersect::Meet &meet) {
+    for (const intersect::MeetBranch &branch : meet.branches) {
+        for (const int64_t end : branch.nodes) {
+            if (end >= 0 && meet.nodes[static_cast<size_t>(end)].kind == intersect::NodeKind::touch) {
+                const Point2 &at = meet.nodes[static_cast<size_t>(end)].at;
+                fail(Status::not_converged,
+                     "curves in which the surface meets the face are not told apart at (%s, %s)",
+                     Number(at[0]).text, Number(at[1]).text);
+            }
         }
     }
 }
@@ -52,6 +63,9 @@ void check_decided(const Face &face, const intersect::Meet &meet) {
 double near_of(const intersect::Meet &meet, double tolerance) {
     double near = tolerance;
     for (const intersect::MeetBranch &branch : meet.branches) {
+        if (branch.kind == intersect::BranchKind::touch) {
+            continue;
+        }
         if (!std::isfinite(branch.deviation)) {
             fail(Status::not_converged, "a curve in which the surface meets the face is not proven");
         }
@@ -65,8 +79,8 @@ struct Place {
     double height; // of what is inside of the face in its column
 };
 
-// The middle of the highest part of a column inside of a face.
-std::optional<Place> place_in_column(const Face &face, double u) {
+// At a share of the highest part of a column inside of a face.
+std::optional<Place> place_in_column(const Face &face, double u, double share) {
     struct Crossing {
         double v;
         int passed;
@@ -85,7 +99,7 @@ std::optional<Place> place_in_column(const Face &face, double u) {
     double above = domain.upper;
     for (const Crossing &crossing : crossings) {
         if (value > 0 && above - crossing.v > (best ? best->height : 0)) {
-            best = Place{{u, above / 2 + crossing.v / 2}, above - crossing.v};
+            best = Place{{u, crossing.v + share * (above - crossing.v)}, above - crossing.v};
         }
         value += crossing.passed;
         above = crossing.v;
@@ -109,9 +123,9 @@ std::vector<Point2> places_in(const Face &face) {
                       [](const Interval &gap) { return gap.upper - gap.lower; });
     std::vector<Place> places;
     for (size_t i = 0; i < std::min<size_t>(gaps.size(), inner); ++i) {
-        for (const double share : {0.5, 0.381966}) {
+        for (const double share : {0.5, 0.381966}) { // the surface may touch the face in the middle
             const double u = gaps[i].lower + share * (gaps[i].upper - gaps[i].lower);
-            if (const auto place = place_in_column(face, u)) {
+            if (const auto place = place_in_column(face, u, share)) {
                 places.push_back(*place);
             }
         }
@@ -187,10 +201,13 @@ std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, Surfa
     check_decided(face, meet);
     std::vector<SplinePtr> curves;
     for (const intersect::MeetBranch &branch : meet.branches) {
-        curves.push_back(branch.on);
+        if (branch.kind != intersect::BranchKind::touch) { // along which the face stays on one side
+            curves.push_back(branch.on);
+        }
     }
     const SplitFace split = split_with_sides(face, curves, near_of(meet, tolerance));
     if (split.loose) {
+        check_told_apart(meet);
         fail(Status::incompatible, "the surface ends inside of the face at (%s, %s)",
              Number((*split.loose)[0]).text, Number((*split.loose)[1]).text);
     }

@@ -142,7 +142,7 @@ void LoopHits::compare(size_t a, const intersect::BoxTree &tree) {
             if (!(std::max(std::abs(from), std::abs(to)) <= most_copies)) {
                 fail(Status::not_converged,
                      "curves run through %s copies of the domain along axis %d, expected at most %s",
-                     Number(to - from).text, k, Number(most_copies).text);
+                     Number(std::max(std::abs(from), std::abs(to))).text, k, Number(most_copies).text);
             }
             first[at] = static_cast<int64_t>(from);
             last[at] = static_cast<int64_t>(to);

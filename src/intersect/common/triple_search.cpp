@@ -15,7 +15,6 @@ namespace {
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
 // Triples of one size that are halved: at least, and as multiples of the triples of pieces.
 constexpr size_t most_parts = 1 << 10, times_as_many = 16;
-constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 
 // Whether boxes have a common part, each of them a little larger.
 template <class Lower, class Upper>
@@ -30,10 +29,6 @@ bool have_common_box(double room, Lower &&lower, Upper &&upper) {
     return true;
 }
 
-bool is_positive(const closest::PairCell &cell) noexcept {
-    return cell.piece && cell.piece->positive();
-}
-
 // The parameter at a place in a piece.
 double parameter_at(const Interval &range, double place) noexcept {
     const double at = range.lower * (1 - place) + range.upper * place;
@@ -42,24 +37,11 @@ double parameter_at(const Interval &range, double place) noexcept {
 
 } // namespace
 
-TripleSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends)
-    : ground(surface, frame, ends, side_shifts[0]), cells(surface, frame) {}
-
-CrossCell &TripleSearch::Side::root(PairCell &cell) {
-    if (cell.mark == 0) {
-        pieces.emplace_back(*cell.piece, ground);
-        roots.push_back(&parts.emplace_back(pieces.back(), &memory));
-        cell.mark = roots.size();
-        count_work(work_of_a_kept_part);
-    }
-    return *roots[cell.mark - 1];
-}
-
 TripleSearch::TripleSearch(const std::array<const Spline *, 3> &surfaces,
                            const std::array<SurfaceBorders, 3> &borders)
     : frame_(pieces::frame_of(surfaces)) {
     for (size_t s = 0; s < 3; ++s) {
-        sides_.emplace_back(*surfaces[s], frame_, borders[s]);
+        sides_.emplace_back(*surfaces[s], frame_, borders[s], side_shifts[0]);
     }
 }
 

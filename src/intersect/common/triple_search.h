@@ -2,12 +2,11 @@
 // Finds the parts of three surfaces that have points in common, and these in them.
 #pragma once
 
-#include "closest/pair/pair_cells.h"
 #include "intersect/common/common_points.h"
 #include "intersect/common/triple_chart.h"
+#include "intersect/surfaces/cross_side.h"
 
 #include <deque>
-#include <memory_resource>
 #include <vector>
 
 namespace nrb::intersect {
@@ -25,18 +24,6 @@ public:
 private:
     using PairCell = closest::PairCell;
     using Cells = std::array<PairCell *, 3>;
-    struct Side {
-        Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends);
-        CrossCell &root(PairCell &cell);
-
-        CrossGround ground;
-        closest::PairCells cells;
-        std::deque<CrossPiece> pieces;
-        std::pmr::monotonic_buffer_resource memory; // of the parts, which are many: it is given back at once
-        std::deque<CrossCell> parts;
-        std::vector<CrossCell *> roots; // by marks of cells
-    };
-
     void find_pieces();
     void look_at(const Cells &cells);
     void divide(const Cells &cells);
@@ -48,7 +35,7 @@ private:
     void add_point(const TripleParts &parts, const TripleChart::Found &found);
 
     pieces::Frame frame_;
-    std::deque<Side> sides_;
+    std::deque<CrossSide> sides_;
     double tolerance_ = 0;
     std::vector<Cells> stack_;
     std::vector<TripleParts> parts_, next_;

@@ -199,18 +199,19 @@ private:
         }
         for (size_t group = 0; group < groups_.size(); ++group) {
             count_work(4);
-            if (is_in(spot, groups_[group].ranges)) {
+            if (is_in(spot, groups_[group].ranges, true)) {
                 return static_cast<int64_t>(group);
             }
         }
         return add_node(is_at_border(spot) ? NodeKind::border : NodeKind::undecided, spot);
     }
     // With what sides are shifted by, and what seams move. Around parts in which arcs are not told apart there are some in which
-    // rounding hides them.
-    [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges) const noexcept {
+    // rounding hides them: where these count, too, but nothing is proven of them.
+    [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges,
+                             bool around) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
             const double room = (one_place + 16 * spot.noise[i]) * distances_.length(i, spot.index[i]) +
-                                ranges[i].upper - ranges[i].lower,
+                                (around ? ranges[i].upper - ranges[i].lower : 0),
                          at = spot.parameter[i];
             const double period = wraps(i) ? surfaces_[i / 2]->borders.period(i % 2) : 0;
             bool in = false;
@@ -278,7 +279,8 @@ private:
         }
         return std::ranges::any_of(groups_, [&](const CrossGroup &group) {
             return (group.touch || length <= little) && std::ranges::all_of(arcs, [&](size_t arc) {
-                       return is_in(spots_[0][arc], group.ranges) && is_in(spots_[1][arc], group.ranges);
+                       return is_in(spots_[0][arc], group.ranges, !group.touch) &&
+                              is_in(spots_[1][arc], group.ranges, !group.touch);
                    });
         });
     }

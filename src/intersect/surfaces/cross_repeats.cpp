@@ -193,7 +193,7 @@ private:
         }
         keep(rest);
     }
-    void leave_open(const CrossArc &arc) { found_.clusters.push_back({ranges_of(arc.box), false}); }
+    void leave_open(const CrossArc &arc) { found_.clusters.push_back({ranges_of(arc.box)}); }
 
     std::array<const CrossSurface *, 2> surfaces_;
     CrossParts &found_;

@@ -16,7 +16,6 @@ constexpr int most_blind_halvings = 16; // of pieces whose weights have no certa
 constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of each other that are halved
 constexpr size_t most_pairs = 1 << 16;
 constexpr size_t most_alike = 512; // pairs of one size of which one lies on the other as far as can be seen
-constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
 constexpr double thick = 32;
 
@@ -49,25 +48,7 @@ bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) n
     return std::abs(dot(of_a, of_b)) >= least_cosine * length(of_a) * length(of_b);
 }
 
-bool is_positive(const closest::PairCell &cell) noexcept {
-    return cell.piece && cell.piece->positive();
-}
-
 } // namespace
-
-CrossSearch::Side::Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
-                        const SideShifts &shifts_of_axes)
-    : ground(surface, frame, ends, shifts_of_axes), cells(surface, frame) {}
-
-CrossCell &CrossSearch::Side::root(PairCell &cell) {
-    if (cell.mark == 0) {
-        pieces.emplace_back(*cell.piece, ground);
-        roots.push_back(&parts.emplace_back(pieces.back(), &memory));
-        cell.mark = roots.size();
-        count_work(work_of_a_kept_part);
-    }
-    return *roots[cell.mark - 1];
-}
 
 CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                          const SurfaceBorders &borders_b)
@@ -81,7 +62,7 @@ CrossParts CrossSearch::run(double tolerance) {
     while (!pairs_.empty()) {
         for (const Pair &pair : pairs_) {
             if (work_ended() || next_.size() + flat_.size() > most_pairs) {
-                add(pair, false);
+                add(pair);
             } else {
                 look(pair);
             }
@@ -97,7 +78,7 @@ CrossParts CrossSearch::run(double tolerance) {
 void CrossSearch::settle_crowds() {
     crowded_ = crowded_ || flat_.size() > most_flat || alike_ > most_alike;
     for (const auto &[pair, first] : flat_) {
-        crowded_ ? add(pair, true) : halve(pair, first);
+        crowded_ ? add(pair) : halve(pair, first);
     }
     flat_.clear();
     alike_ = 0;
@@ -241,7 +222,7 @@ void CrossSearch::look_at_flat(Pair pair) {
         box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size();
     if (thickness <= thick * error) {
         if (!pair.graph) {
-            add(pair, thickness <= tolerance_);
+            add(pair);
         }
     } else if (thickness <= tolerance_ || are_along(pair)) {
         flat_.push_back({pair, first});
@@ -265,7 +246,7 @@ void CrossSearch::halve(const Pair &pair, bool first) {
         }
     }
     if (!pair.graph) {
-        add(pair, false);
+        add(pair);
     }
 }
 
@@ -290,10 +271,9 @@ std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept {
     return ranges;
 }
 
-void CrossSearch::add(const Pair &pair, bool near) {
+void CrossSearch::add(const Pair &pair) {
     count_work(work_of_a_kept_part);
     CrossCluster &cluster = found_.clusters.emplace_back();
-    cluster.near = near;
     set_ranges(*pair.a, cluster.ranges.data());
     set_ranges(*pair.b, cluster.ranges.data() + 2);
 }

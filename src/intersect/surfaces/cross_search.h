@@ -2,11 +2,10 @@
 // Finds the parts of two surfaces that have common curves, and these in them.
 #pragma once
 
-#include "closest/pair/pair_cells.h"
 #include "intersect/surfaces/contact/contact_chart.h"
 #include "intersect/surfaces/cross_arc.h"
+#include "intersect/surfaces/cross_side.h"
 
-#include <deque>
 #include <vector>
 
 namespace nrb::intersect {
@@ -14,7 +13,6 @@ namespace nrb::intersect {
 // A pair of parts of which it is left open what they have in common.
 struct CrossCluster {
     std::array<Interval, 4> ranges; // parameters of both
-    bool near = false;              // they are within the tolerance of each other all over, and of one plane
 };
 
 // A pair of parts with a ContactChart.
@@ -51,18 +49,6 @@ public:
 
 private:
     using PairCell = closest::PairCell;
-    struct Side {
-        Side(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
-             const SideShifts &shifts_of_axes);
-        CrossCell &root(PairCell &cell);
-
-        CrossGround ground;
-        closest::PairCells cells;
-        std::deque<CrossPiece> pieces;
-        std::pmr::monotonic_buffer_resource memory; // of the parts, which are many: it is given back at once
-        std::deque<CrossCell> parts;
-        std::vector<CrossCell *> roots; // by marks of cells
-    };
     // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
     // both sides of it go on in each other, or end.
     // no_contact: of a pair that does not touch where it is nearest.
@@ -81,12 +67,12 @@ private:
     bool look_for_contact(Pair &pair);
     bool are_along(const Pair &pair);
     void settle_crowds();
-    void add(const Pair &pair, bool near);
+    void add(const Pair &pair);
     void add_unknown(const PairCell &a, const PairCell &b);
     [[nodiscard]] double thickness(const Pair &pair) const;
 
     pieces::Frame frame_;
-    Side a_, b_;
+    CrossSide a_, b_;
     double tolerance_ = 0;
     std::vector<std::pair<PairCell *, PairCell *>> stack_;
     struct FlatPair {

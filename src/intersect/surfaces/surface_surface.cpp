@@ -49,15 +49,16 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     remove_repeats(on_a, on_b, found);
     const double in_frame = search.frame().scaled(tolerance);
     ContactTracer tracer(search.solver(), degrees_of(a), degrees_of(b), in_frame);
-    const std::vector<ContactCurve> contacts = contact_curves(tracer, in_frame, found);
-    const CrossTouch touch(search.ground(0), search.ground(1), search.frame().scaled(tolerance));
+    const std::vector<ContactCurve> contacts = contact_curves(tracer, found);
+    const CrossTouch touch(search.ground(0), search.ground(1), in_frame);
     CrossChains chains = cross_chains(on_a, on_b, touch, found);
+    meet.limited = meet.limited || work_ended();
     meet.of_two = true;
     meet.periodic = {periodic_axes_of(a), periodic_axes_of(b)};
     meet.nodes = std::move(chains.nodes);
     meet.complete = std::ranges::none_of(
         meet.nodes, [](const MeetNode &node) { return node.kind == NodeKind::undecided; });
-    CrossFitter fitter(degrees_of(a), degrees_of(b), search.frame().scaled(tolerance));
+    CrossFitter fitter(degrees_of(a), degrees_of(b), in_frame);
     for (const CrossChain &chain : chains.chains) {
         CrossCurve curve = cross_curve(fitter, search.frame(), on_a, on_b, found, chain);
         MeetBranch &branch = meet.branches.emplace_back();

@@ -39,8 +39,8 @@ public:
     void join();
 
     // From now on flips make no sides that are too far from the surface, even where angles would be larger: else what one division
-    // mends would go on in the triangles beside it, row by row.
-    // There are not many more triangles by that.
+    // mends would go on in the triangles beside it, row by row. For that some longest sides are halved, and there is a bound of
+    // how many triangles that may make.
     void keep_near() noexcept;
     // Until no triangle can be made better, or the limit of work.
     void run();

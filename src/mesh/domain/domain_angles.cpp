@@ -12,8 +12,8 @@ namespace {
 
 // Rounds in which triangles that are better shaped, and therefore elsewhere, are proven and divided.
 constexpr int most_proofs = 12;
-// Those that may put far sides in the place of near ones: few triangles are left to be divided.
-constexpr int free_rounds = 5;
+// More of them where triangles are left, in which flips may no longer put far sides in the place of near ones.
+constexpr int near_proofs = 8;
 // Larger angles than about this one leave no freedom for it.
 constexpr double most_kept_near = 0.4;
 
@@ -95,15 +95,16 @@ void DomainMesher::keep_least_angle() {
         return;
     }
     AngleRefinement refinement = this->refinement();
+    const int rounds = most_proofs + (rule_.least_angle <= most_kept_near ? near_proofs : 0);
     for (int round = 0;; ++round) {
-        if (round == free_rounds && rule_.least_angle <= most_kept_near) {
+        if (round == most_proofs) {
             refinement.keep_near();
         }
         refinement.run();
         take(refinement);
         sites_.evaluate();
         prove();
-        if (round == most_proofs || work_ended() || !divide_far(refinement)) {
+        if (round == rounds || work_ended() || !divide_far(refinement)) {
             break;
         }
     }

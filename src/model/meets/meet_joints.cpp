@@ -141,7 +141,10 @@ void MeetJoints::add_matches() {
 }
 
 bool MeetJoints::fit(const End &a, const End &b) const {
-    if (!goes_on(a, b, 0) || !goes_on(a, b, 1)) {
+    const bool crosses_first = crosses(a, b, 0), crosses_second = crosses(a, b, 1);
+    const bool goes_on = (crosses_first && (crosses_second || place_of(a, 1) == place_of(b, 1))) ||
+                         (crosses_second && place_of(a, 0) == place_of(b, 0));
+    if (!goes_on) {
         return false;
     }
     const double gap = length(a.point - b.point), room = a.room + b.room;
@@ -149,14 +152,10 @@ bool MeetJoints::fit(const End &a, const End &b) const {
            (gap * least_sine <= room && gap * std::max(least_sine, std::min(slope(a), slope(b))) <= room);
 }
 
-// Whether both are on one face of a model, or on two that share the edge on which they are, on either side of it.
-bool MeetJoints::goes_on(const End &a, const End &b, size_t model) const {
+// Whether they are on an edge that two faces share, or one face has twice, on either side of it.
+bool MeetJoints::crosses(const End &a, const End &b, size_t model) const {
     const PlacedFaces &faces = *models_[model];
-    const size_t one = place_of(a, model), other = place_of(b, model);
-    if (one == other) {
-        return true;
-    }
-    return faces.places()[one].instance == faces.places()[other].instance &&
+    return faces.places()[place_of(a, model)].instance == faces.places()[place_of(b, model)].instance &&
            std::ranges::any_of(a.borders[model], [&](const Border &first) {
                return std::ranges::any_of(b.borders[model], [&](const Border &second) {
                    return first.pair == second.pair && first.coedge != second.coedge;

@@ -56,7 +56,7 @@ private:
     void tell_open_ends();
 
     [[nodiscard]] bool fit(const End &a, const End &b) const;
-    [[nodiscard]] bool goes_on(const End &a, const End &b, size_t model) const;
+    [[nodiscard]] bool crosses(const End &a, const End &b, size_t model) const;
     [[nodiscard]] double slope(const End &end) const;
     [[nodiscard]] size_t place_of(const End &end, size_t model) const noexcept {
         const FacePair &pair = of_branches_[end.branch];

@@ -103,7 +103,7 @@ private:
 
 } // namespace
 
-std::vector<ContactCurve> contact_curves(ContactTracer &tracer, double tolerance, CrossParts &found) {
+std::vector<ContactCurve> contact_curves(ContactTracer &tracer, CrossParts &found) {
     std::vector<ContactCurve> curves;
     size_t tries = 0;
     double change = 0;
@@ -113,7 +113,7 @@ std::vector<ContactCurve> contact_curves(ContactTracer &tracer, double tolerance
     for (const CrossContact &contact : found.contacts) {
         const auto passes = [&](const ContactCurve &curve) {
             count_work(20 * std::ssize(curve.segments));
-            return is_on(curve, contact.place, tolerance);
+            return tracer.passes(curve, contact.place);
         };
         if (std::ranges::any_of(curves, passes)) {
             continue;
@@ -125,7 +125,7 @@ std::vector<ContactCurve> contact_curves(ContactTracer &tracer, double tolerance
                 continue;
             }
         }
-        found.clusters.push_back({contact.ranges, true});
+        found.clusters.push_back({contact.ranges});
     }
     return curves;
 }

@@ -10,7 +10,7 @@
 namespace nrb::intersect {
 
 // Through all contacts. Those through which none is found, or of which it is left open how it goes on, become clusters.
-std::vector<ContactCurve> contact_curves(ContactTracer &tracer, double tolerance, CrossParts &found);
+std::vector<ContactCurve> contact_curves(ContactTracer &tracer, CrossParts &found);
 
 // Cut where parameters do not go on.
 void add_branches(const std::vector<ContactCurve> &curves, const pieces::Frame &frame, const CrossSurface &a,

@@ -13,7 +13,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double shortest = 0x1p-24, longest = 0x1p-2; // steps
+constexpr double shortest = 0x1p-24, longest = 0x1p-2, first_length = 0x1p-5; // steps
 constexpr size_t places_of_a_curve = 20000;
 // In parts of pieces: what is no farther beyond one is on its side.
 constexpr double on_side = 0x1p-26;
@@ -184,15 +184,38 @@ bool ContactTracer::step(const ContactPoint &from, double way, Step &result) con
     return stop_at_break(from, way, result) && set_segment(from, way, result);
 }
 
+namespace {
+
+// A cubic of control points.
+template <class Points>
+class Bezier {
+public:
+    explicit Bezier(const Points &points) noexcept : points_(points) {}
+    [[nodiscard]] double coordinate(size_t c, double t) const noexcept {
+        const double s = 1 - t;
+        return s * s * s * points_[0][c] + 3 * s * s * t * points_[1][c] + 3 * s * t * t * points_[2][c] +
+               t * t * t * points_[3][c];
+    }
+    [[nodiscard]] Vector3 at(double t) const noexcept {
+        return {coordinate(0, t), coordinate(1, t), coordinate(2, t)};
+    }
+
+private:
+    const Points &points_;
+};
+
+} // namespace
+
 ContactTracer::End ContactTracer::follow(const ContactPoint &start, double way,
                                          std::vector<ContactPoint> &places,
                                          std::vector<CrossSegment> &segments) {
     ContactPoint from = start;
+    double step_length = first_length;
     while (places.size() < places_of_a_curve && !work_ended()) {
         count_work(1000);
         const Vector3 back = start.a - from.a;
         Step result;
-        if (places.size() >= 3 && length(back) <= 1.5 * length_ && way * dot(back, from.along) > 0 &&
+        if (places.size() >= 3 && length(back) <= 1.5 * step_length && way * dot(back, from.along) > 0 &&
             dot(from.along, start.along) > 0.8) {
             result.to = start;
             for (size_t i = 0; i < 4; ++i) {
@@ -204,9 +227,9 @@ ContactTracer::End ContactTracer::follow(const ContactPoint &start, double way,
                 return End::closed;
             }
         }
-        if (!step(from, way * length_, result)) {
-            length_ /= 2;
-            if (length_ < shortest) {
+        if (!step(from, way * step_length, result)) {
+            step_length /= 2;
+            if (step_length < shortest) {
                 return End::lost;
             }
             continue;
@@ -218,7 +241,7 @@ ContactTracer::End ContactTracer::follow(const ContactPoint &start, double way,
         }
         from = result.to;
         if (result.segment.deviation < tolerance_ / 32) {
-            length_ = std::min(1.5 * length_, longest);
+            step_length = std::min(1.5 * step_length, longest);
         }
     }
     return End::lost;
@@ -234,7 +257,6 @@ ContactCurve ContactTracer::trace(const ContactPoint &start) {
     }
     std::vector<ContactPoint> places;
     std::vector<CrossSegment> segments;
-    length_ = longest;
     const End backward = follow(start, -1, places, segments);
     curve.ends = forward == End::border && backward == End::border;
     std::ranges::reverse(places);
@@ -273,34 +295,39 @@ bool ContactTracer::is_contact(const ContactCurve &curve, double change) const {
     return true;
 }
 
-bool is_on(const ContactCurve &curve, const ContactPoint &place, double distance) noexcept {
+// In space, and in all parameters to within a part of their periods: surfaces may come to one point twice.
+bool ContactTracer::passes(const ContactCurve &curve, const ContactPoint &place) const noexcept {
     constexpr int parts = 32;
     for (const CrossSegment &segment : curve.segments) {
-        const auto at = [&](int i) {
-            const double t = static_cast<double>(i) / parts, s = 1 - t;
-            const std::array<double, 4> b{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-            Vector3 x;
-            for (size_t j = 0; j < 4; ++j) {
-                x = x + b[j] * Vector3{segment.space[j][0], segment.space[j][1], segment.space[j][2]};
-            }
-            return x;
-        };
-        if (length(at(0) - place.a) > 2 * segment.length + distance) {
+        if (length(Bezier(segment.space).at(0) - place.a) > 2 * segment.length + tolerance_) {
             continue;
         }
         const double bow = (segment.length / parts) * (segment.length / parts);
-        Vector3 from = at(0);
+        Vector3 from = Bezier(segment.space).at(0);
         for (int i = 1; i <= parts; ++i) {
-            const Vector3 to = at(i), way = to - from;
+            const Vector3 to = Bezier(segment.space).at(static_cast<double>(i) / parts), way = to - from;
             const double share =
                 std::clamp(dot(place.a - from, way) / std::max(dot(way, way), 1e-300), 0.0, 1.0);
-            if (length(place.a - from - share * way) <= distance + bow) {
+            if (length(place.a - from - share * way) <= tolerance_ + bow &&
+                are_near(segment, (i - 1 + share) / parts, place)) {
                 return true;
             }
             from = to;
         }
     }
     return false;
+}
+
+bool ContactTracer::are_near(const CrossSegment &segment, double t,
+                             const ContactPoint &place) const noexcept {
+    constexpr double near = 0x1p-4;
+    bool all = true;
+    for (size_t i = 0; i < 4; ++i) {
+        const double period = solver_.ground(i / 2).borders.period(i % 2);
+        const double turns = (Bezier(segment.on[i / 2]).coordinate(i % 2, t) - place.at[i]) / period;
+        all = all && std::abs(turns - std::round(turns)) <= near;
+    }
+    return all;
 }
 
 } // namespace nrb::intersect

@@ -28,6 +28,8 @@ public:
     // Whether |h| is no larger than the tolerance all along, if it changes by no more than change dx^2 / 2 between places where it
     // and its derivative are 0, as they are in as many places of the curve as that takes.
     [[nodiscard]] bool is_contact(const ContactCurve &curve, double change) const;
+    // Whether a place is on a curve.
+    [[nodiscard]] bool passes(const ContactCurve &curve, const ContactPoint &place) const noexcept;
 
 private:
     enum class End { none, closed, border, lost };
@@ -45,15 +47,14 @@ private:
     [[nodiscard]] double break_between(size_t i, double from, double to) const noexcept;
     [[nodiscard]] bool is_border(size_t i, double at) const noexcept;
     bool set_segment(const ContactPoint &from, double way, Step &result) const;
+    [[nodiscard]] bool are_near(const CrossSegment &segment, double t,
+                                const ContactPoint &place) const noexcept;
     [[nodiscard]] double largest_gap(size_t surface, CrossSegment &segment, const CrossPlace &middle) const;
 
     const ContactSolver &solver_;
-    double tolerance_, length_ = 0x1p-5; // of the next step
+    double tolerance_;
     CubicSamples samples_;
     mutable std::vector<double> sampling_;
 };
-
-// Whether a place is on a curve, to within a distance in space.
-bool is_on(const ContactCurve &curve, const ContactPoint &place, double distance) noexcept;
 
 } // namespace nrb::intersect
