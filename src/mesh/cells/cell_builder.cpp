@@ -205,7 +205,7 @@ namespace {
 CellBends bends_of(const HessianBox &box) noexcept {
     CellBends result;
     for (size_t c = 0; c < 3; ++c) {
-        const Hessian own = box.of(c);
+        const Hessian &own = box.of(c);
         result.uu[c] = static_cast<float>(own.uu.middle);
         result.uv[c] = static_cast<float>(own.uv.middle);
         result.vv[c] = static_cast<float>(own.vv.middle);

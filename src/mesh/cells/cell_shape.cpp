@@ -50,7 +50,7 @@ namespace {
 // The most of the second derivative, across each of the two sides along axis k, that the function has which is 0 in both ends of that
 // side: A - w P along an axis, for P on this side and on the other.
 double beside_sides(const HessianBox &box, size_t k) noexcept {
-    const Hessian coordinate = box.of(1 - k), weight = box.of(3);
+    const Hessian &coordinate = box.of(1 - k), &weight = box.of(3);
     const Range &a = k == 0 ? coordinate.uu : coordinate.vv, &w = k == 0 ? weight.uu : weight.vv;
     const auto on_side = [&](double end) {
         const double p = end * box.speed(1 - k), middle = a.middle - p * w.middle, u = a.u - p * w.u,
@@ -64,7 +64,7 @@ double beside_sides(const HessianBox &box, size_t k) noexcept {
 } // namespace
 
 CellBend bend_of(const HessianBox &box) noexcept {
-    const Hessian height = box.of(2);
+    const Hessian &height = box.of(2);
     const double w = box.least_weight();
     const auto divided = [&](const Range &range) {
         return Range{range.middle / w, range.u / w, range.v / w, range.radius / w};
@@ -82,17 +82,12 @@ using Place = std::array<double, 2>;
 // third one along v.
 double over_triangle(const Hessian &h, const Place &a, const Place &b, const Place &c) noexcept {
     const double u = b[0] - a[0], v = c[1] - b[1];
-    const std::array<const Place *, 3> corners{&a, &b, &c};
-    std::array<Values, 3> q; // sides are opposite of corners
-    for (size_t m = 0; m < 3; ++m) {
-        const auto [x, y] = *corners[m];
-        const double uu = h.uu.at(x, y) * u * u, vv = h.vv.at(x, y) * v * v;
-        q[0][m] = vv;
-        q[1][m] = uu + 2 * h.uv.at(x, y) * u * v + vv;
-        q[2][m] = uu;
-    }
+    const auto bends = [&](const Place &x) { // along sides, which are opposite of corners
+        const double uu = h.uu.at(x[0], x[1]) * u * u, vv = h.vv.at(x[0], x[1]) * v * v;
+        return Four(vv, uu + 2 * h.uv.at(x[0], x[1]) * u * v + vv, uu, 0);
+    };
     const double all = h.beside(u, v);
-    return Bend(q, {h.vv.radius * v * v, all, h.uu.radius * u * u}, all).both();
+    return Bend({bends(a), bends(b), bends(c)}, {h.vv.radius * v * v, all, h.uu.radius * u * u, all}).both();
 }
 
 } // namespace
@@ -169,7 +164,7 @@ Cut best_cut(const CellBend &bend, double chord) noexcept {
 
 // The slopes of the surface over the plane of the cell change by its second derivatives.
 CellTurn turn_of(const HessianBox &box, double least) noexcept {
-    const Hessian height = box.of(2);
+    const Hessian &height = box.of(2);
     const double mixed = height.uv.most(), w = box.least_weight();
     std::array<std::array<double, 2>, 2> slopes{}; // [towards][along]
     for (size_t k = 0; k < 2; ++k) {

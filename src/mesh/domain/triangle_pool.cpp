@@ -13,8 +13,8 @@ namespace {
 
 // Multiply-adds of a triangle, estimated.
 constexpr int64_t work_of_triangle = 1000;
-// Triangles whose bounds are in memory at once; the first few show how good these have to be.
-constexpr size_t triangles_of_a_part = 4096, first_triangles = 256;
+// Triangles whose bounds are in memory at once.
+constexpr size_t triangles_of_a_part = 4096;
 // Of fewer, distances are told as small as they can be: that takes next to no time.
 constexpr size_t least_to_hurry = 1024;
 
@@ -95,8 +95,7 @@ void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
     PartProof parts(proof, points, meshed_, wanted, [this](size_t i) { return (*this)[i]; });
     std::vector<Distances> found;
     for (auto rest = std::span(std::as_const(wanted)); !rest.empty();) {
-        const size_t most = rest.size() == wanted.size() ? first_triangles : triangles_of_a_part;
-        const auto part = rest.first(std::min(most, rest.size()));
+        const auto part = rest.first(std::min(triangles_of_a_part, rest.size()));
         rest = rest.subspan(part.size());
         parts.prove(part, wanted.size() < least_to_hurry ? 0 : enough, found);
         for (size_t i = 0; i < part.size(); ++i) {

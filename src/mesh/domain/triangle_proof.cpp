@@ -82,9 +82,9 @@ size_t TriangleProof::Hash::operator()(const Key &key) const noexcept {
     return hash;
 }
 
-ProvenTriangle TriangleProof::of(const SiteTriangle &triangle, Effort effort) {
+ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
     if (triangle.cell >= 0) {
-        return in_cell(triangle, effort);
+        return in_cell(triangle);
     }
     const auto &s = triangle.sites, &b = triangle.border;
     const auto [known, fresh] = known_.try_emplace({s[0], s[1], s[2], b[0], b[1], b[2]});
@@ -114,12 +114,12 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
     return result;
 }
 
-ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle, Effort effort) {
+ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
     const Placed place = placed(triangle);
     const Cell &cell = cells_.tree().cells()[static_cast<size_t>(triangle.cell)];
     const CellPart here{&cells_.tree().box(triangle.cell), cells_.tree().rectangle(cell)};
-    TriangleBound bound = triangle_bound(place.corners, {&here, 1}, effort);
-    if (effort == Effort::full && !(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
+    TriangleBound bound = triangle_bound(place.corners, {&here, 1});
+    if (!(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
         const PieceRange pieces = nets_.pieces_in(place.part);
         if (pieces.count() > 1 && pieces.count() <= most_pieces) {
             take_better(by_pieces_.bound(place.corners, pieces, cells_.tree().block(cell.block)), bound);
