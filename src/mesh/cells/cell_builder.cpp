@@ -91,6 +91,12 @@ void CellTree::Builder::look_at(Item item) {
     count_work(work_of_a_cell);
     const Side side = item.side = side_of(item);
     make_nets(item);
+    if (item.cut && side != Side::outside && item.nets >= 0) {
+        const size_t axis = *std::exchange(item.cut, std::nullopt);
+        if (divide(item, {axis, 0.5})) {
+            return;
+        }
+    }
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
     bend.alone = at_border(item);
@@ -280,6 +286,7 @@ bool CellTree::Builder::divide(Item &item, Cut cut) {
     low.part.upper[k] = high.part.lower[k] = at;
     low.upper[k] = high.lower[k] = add_line(k, at, false);
     low.divisions = high.divisions = item.divisions + 1;
+    low.cut = high.cut = cut.next;
     const int64_t piece = grid_.find(static_cast<int>(k), at); // the one to the right
     high.pieces.lower[k] = piece;
     low.pieces.upper[k] = at > grid_.break_at(static_cast<int>(k), piece) ? piece + 1 : piece;

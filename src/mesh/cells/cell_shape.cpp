@@ -15,6 +15,8 @@ constexpr double most_parts = 8;
 constexpr double most_out = 0.25;
 // By what second derivatives differ in parts that are alike, relative to them.
 constexpr double most_varied = 0.1;
+// By what factor a half is to be over the tolerance for both halves to be over it.
+constexpr double certainly_over = 2;
 // What slopes count about, in bounds of meshes.
 constexpr double slope_times = 0.15;
 
@@ -69,9 +71,12 @@ CellBend bend_of(const HessianBox &box) noexcept {
     const auto divided = [&](const Range &range) {
         return Range{range.middle / w, range.u / w, range.v / w, range.radius / w};
     };
-    return {{divided(height.uu), divided(height.uv), divided(height.vv)},
+    const Hessian heights{divided(height.uu), divided(height.uv), divided(height.vv)};
+    const double u = box.speed(0), v = box.speed(1), uv = heights.uv.most();
+    return {heights,
             {beside_sides(box, 0) / w / 8, beside_sides(box, 1) / w / 8},
-            {box.speed(0), box.speed(1)}};
+            {u, v},
+            {heights.uu.most() / u, uv / v, uv / u, heights.vv.most() / v}};
 }
 
 namespace {
@@ -94,13 +99,28 @@ double over_triangle(const Hessian &h, const Place &a, const Place &b, const Pla
 
 // By how much the normal turns over a part.
 double CellBend::slope(double u, double v) const noexcept {
-    const double uu = heights.uu.most() * u / speeds[0], uv_u = heights.uv.most() * v / speeds[0],
-                 uv_v = heights.uv.most() * u / speeds[1], vv = heights.vv.most() * v / speeds[1];
-    const double most = std::max(diagonal(uu, uv_v), diagonal(uv_u, vv));
+    const double most =
+        std::max(diagonal(slopes[0] * u, slopes[1] * u), diagonal(slopes[2] * v, slopes[3] * v));
     return std::isfinite(most) ? std::min(most, 1.0) : 1.0;
 }
 
 // Where triangles have others around, what comes out of them counts by the slopes of these (mesh_bound.h).
+double CellBend::with_out(double height, double u, double v) const noexcept {
+    const double out = std::max(beside[0] * u * u, beside[1] * v * v);
+    const double width = std::min(speeds[0] * u, speeds[1] * v);
+    return alone || out > most_out * width ? diagonal(height, out)
+                                           : height + (out + height) * slope_times * slope(u, v);
+}
+
+double CellBend::most_in_parts(double u_parts, double v_parts) const noexcept {
+    const double u = 1 / u_parts, v = 1 / v_parts;
+    const auto most = [](const Range &range) { return range.middle < 0 ? -range.most() : range.most(); };
+    const double uu = most(heights.uu) * u * u, uv = 2 * heights.uv.most() * u * v,
+                 vv = most(heights.vv) * v * v, both = uu + vv;
+    const Values q{vv, both < 0 ? both + uv : both - uv, uu};
+    return with_out(std::max(most_of_pairs(q), most_of_pairs({-q[0], -q[1], -q[2]})) / 2, u, v);
+}
+
 // Of several parts, that in the middle of which the surface bends most.
 double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
@@ -116,10 +136,7 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                                             over_triangle(h, {a, b}, {-a, b}, {-a, -b}))
                                  : std::max(over_triangle(h, {a, -b}, {-a, -b}, {-a, b}),
                                             over_triangle(h, {-a, b}, {a, b}, {a, -b}));
-    const double out = std::max(beside[0] * u * u, beside[1] * v * v);
-    const double width = std::min(speeds[0] * u, speeds[1] * v);
-    return alone || out > most_out * width ? diagonal(height, out)
-                                           : height + (out + height) * slope_times * slope(u, v);
+    return with_out(height, u, v);
 }
 
 namespace {
@@ -157,9 +174,17 @@ Cut halves(size_t axis, double parts) noexcept {
 
 } // namespace
 
+// What is over the tolerance by less may be flat enough in one of the halves.
 Cut best_cut(const CellBend &bend, double chord) noexcept {
-    const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
-    return halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
+    const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
+    const size_t axis = u <= v ? 0 : 1;
+    Cut cut = halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
+    if (cut.share == 0.5 && std::min(u, v) > certainly_over * chord) {
+        const double both = bend.most_in_parts(2, 2);
+        const bool first = axis == 0 ? bend.most_in_parts(4, 1) <= both : both <= bend.most_in_parts(1, 4);
+        cut.next = first ? 0 : 1;
+    }
+    return cut;
 }
 
 // The slopes of the surface over the plane of the cell change by its second derivatives.
