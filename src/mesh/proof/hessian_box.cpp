@@ -74,7 +74,7 @@ HessianBox::HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes
 
 // Of second derivatives: an error of a coefficient counts four times.
 void HessianBox::add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
-                     double noise) {
+                     double noise, bool steps) {
     const bool fresh = largest_weight_ < least_weight_;
     const int m = u_degree + 1, n = v_degree + 1;
     const auto size = static_cast<size_t>(m * n) * coordinates;
@@ -93,7 +93,7 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
     const std::array<double, 2> degrees{static_cast<double>(u_degree), static_cast<double>(v_degree)};
     add_second(first, degrees, factors, fresh);
     if (fresh) {
-        by_coefficients_ = is_coarse();
+        by_coefficients_ = steps && is_coarse();
     }
     if (by_coefficients_) {
         add_first(first, {degrees[0] * factors[0], degrees[1] * factors[1]});

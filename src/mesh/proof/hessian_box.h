@@ -74,9 +74,9 @@ public:
     }
 
     // A net [u][v] of (x, y, z, w) over a part of the cell, whose sides are those of the cell over these factors, all of it if they are
-    // 1. `noise`: of a coefficient, relative to the largest weight.
+    // 1. `noise`: of a coefficient, relative to the largest weight. `steps`: whether move() is to be as small as can be told.
     void add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
-             double noise);
+             double noise, bool steps = true);
 
     // Of the function d . (A - w P), for vectors d no longer than 1.
     [[nodiscard]] Hessian along(const Vector3 &d, const Vector3 &p) const noexcept;

@@ -23,6 +23,7 @@ public:
             const TriangleCorner &from = corner(k + 1), &to = corner(k + 2);
             sides_[k] = to.point - from.point;
             lengths_[k] = length(sides_[k]);
+            inverse_[k] = 1 / lengths_[k];
             longest_ = std::max(longest_, lengths_[k]);
             for (size_t c = 0; c < 2; ++c) {
                 places_[k][c] = (corners[k].param[c] - cells.front().part.lower[c]) / unit_[c] - 0.5;
@@ -40,7 +41,7 @@ public:
         }
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-            cosines_[k] = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
+            cosines_[k] = -dot(sides_[i], sides_[j]) * (inverse_[i] * inverse_[j]);
         }
         bends_ =
             beside(over_cells([&](const HessianBox &box) { return box.sizes(corners[0].point, longest_); }));
@@ -82,7 +83,7 @@ private:
     std::array<Vector3, 3> sides_;
     std::array<std::array<double, 2>, 3> steps_, places_; // in the first cell
     Four uu_, uv_, vv_;                                   // of steps; and of the most of them
-    Values lengths_, cosines_;                            // of the angles
+    Values lengths_, inverse_, cosines_;                  // of the angles
     double longest_ = 0;
     double least_weight_ = infinity, largest_weight_ = 0;
     // The most of second derivatives along the sides, and along any way, whatever the direction and the corner.
@@ -125,7 +126,7 @@ bool Triangle::runs_along(size_t k) const noexcept {
     if (bends_[k] <= room) {
         return true;
     }
-    const Vector3 along = (1 / lengths_[k]) * sides_[k];
+    const Vector3 along = inverse_[k] * sides_[k];
     return bend(along, corner(k + 1).point).largest(k) <= room &&
            bend(along, corner(k + 2).point).largest(k) <= room;
 }
@@ -135,14 +136,14 @@ bool Triangle::runs_along(size_t k) const noexcept {
 // the tip is cut off, and what is left is within 1 / cos. With N along that line, outwards, and N <= -t_i w in the other corners,
 // N(x) <= sum l_i (-t_i w + 1/2 (Q_ki + Q_ij)), with the most Q of the second derivative along the sides.
 double Triangle::sharpness() const noexcept {
-    double most = 1;
+    double least = 1; // of squares
     for (size_t k = 0; k < 3; ++k) {
-        const double cosine = cosines_[k], half_sine = (1 - cosine - 8 * eps) / 2, // squares
-            half_cosine = (1 + cosine - 8 * eps) / 2;
+        const double cosine = cosines_[k], half_sine = (1 - cosine - 16 * eps) / 2, // squares
+            half_cosine = (1 + cosine - 16 * eps) / 2;
         const bool cut = half_cosine > half_sine && is_cut(k, half_cosine);
-        most = std::max(most, 1 / std::max(cut ? half_cosine : half_sine, 0.0));
+        least = std::min(least, cut ? half_cosine : half_sine);
     }
-    return std::sqrt(most) * rounding;
+    return rounding / std::sqrt(std::max(least, 0.0));
 }
 
 bool Triangle::is_cut(size_t k, double half_cosine_squared) const noexcept {
@@ -187,7 +188,7 @@ double Triangle::beside_segment() const noexcept {
     const size_t k = lengths_[0] >= lengths_[1]   ? (lengths_[0] >= lengths_[2] ? 0 : 2)
                      : lengths_[1] >= lengths_[2] ? 1
                                                   : 2;
-    const Vector3 along = (1 / lengths_[k]) * sides_[k],
+    const Vector3 along = inverse_[k] * sides_[k],
                   least = std::abs(along.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
     const Vector3 across = unit(cross(along, least)), up = cross(along, across);
     const Vector3 &from = corner(k + 1).point, &to = corner(k + 2).point, &other = corner(k).point;
@@ -209,7 +210,7 @@ double Triangle::angle_at(size_t k) const noexcept {
 // Seen along a direction a off the normal, a cosine of angles changes by sin^2 a at most before sides are shortened.
 double Triangle::sine(size_t k, double area) const noexcept {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    return cosines_[k] < -0.26 ? 1 : area / (lengths_[i] * lengths_[j]) * (1 - 16 * eps);
+    return cosines_[k] < -0.26 ? 1 : area * (inverse_[i] * inverse_[j]) * (1 - 16 * eps);
 }
 
 // About corner P of side PE, with the third corner K of weight l_K, N = d . (A - w P) for d across the side is at most
@@ -220,7 +221,7 @@ double Triangle::sine(size_t k, double area) const noexcept {
 Triangle::Turning Triangle::turning(size_t side, const Bend &across, double high,
                                     double area) const noexcept {
     const double out = across.largest(side) / 2;
-    const double in = least_weight_ * area / lengths_[side] -
+    const double in = least_weight_ * area * inverse_[side] -
                       std::max(across.largest((side + 1) % 3), across.largest((side + 2) % 3)) / 2;
     const double share = in > high ? (out + high) / (in - high) : infinity;
     return {out, share, (1 + share) * high};
@@ -269,19 +270,20 @@ TriangleBound Triangle::bound() const noexcept {
     TriangleBound result;
     result.normal = normal;
     result.altitude = area / longest_ * (1 - 16 * eps);
-    result.height = (heights.both() / least_weight_ + flat) * rounding;
+    const double per_weight = 1 / least_weight_;
+    result.height = (heights.both() * per_weight + flat) * rounding;
     const double high = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
     std::array<Turning, 3> over;
     for (size_t k = 0; k < 3; ++k) {
-        const Bend across = bend(cross((1 / lengths_[k]) * sides_[k], normal), corner(k + 1).point);
+        const Bend across = bend(cross(inverse_[k] * sides_[k], normal), corner(k + 1).point);
         over[k] = turning(k, across, high, area);
         result.sines[k] = sine(k, area);
         result.angles[k] = angle_at(k);
-        const double below = least_weight_ * area / lengths_[k];
-        result.outs[k] = across.above(k, below / rounding) / least_weight_ + slack;
+        const double below = least_weight_ * area * inverse_[k];
+        result.outs[k] = across.above(k, below / rounding) * per_weight + slack;
         result.out = std::max(result.out, result.outs[k]);
         const double beside = runs_along(k)
-                                  ? diagonal(heights.on_side(k), across.on_side(k)) / least_weight_ + slack
+                                  ? diagonal(heights.on_side(k), across.on_side(k)) * per_weight + slack
                                   : equal_parameters();
         result.sides[k] = beside * rounding;
         result.beside = std::max(result.beside, result.sides[k]);
