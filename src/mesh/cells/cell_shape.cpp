@@ -15,8 +15,8 @@ constexpr double most_parts = 8;
 constexpr double most_out = 0.25;
 // By what second derivatives differ in parts that are alike, relative to them.
 constexpr double most_varied = 0.1;
-// By what factor a half is to be over the tolerance for both halves to be over it.
-constexpr double certainly_over = 2;
+// By what factor a half is to be over the tolerance for both halves to be over it, and for it to need more than most_parts / 2 parts.
+constexpr double certainly_over = 2, far_over = 16;
 // What slopes count about, in bounds of meshes.
 constexpr double slope_times = 0.15;
 
@@ -112,15 +112,6 @@ double CellBend::with_out(double height, double u, double v) const noexcept {
                                            : height + (out + height) * slope_times * slope(u, v);
 }
 
-double CellBend::most_in_parts(double u_parts, double v_parts) const noexcept {
-    const double u = 1 / u_parts, v = 1 / v_parts;
-    const auto most = [](const Range &range) { return range.middle < 0 ? -range.most() : range.most(); };
-    const double uu = most(heights.uu) * u * u, uv = 2 * heights.uv.most() * u * v,
-                 vv = most(heights.vv) * v * v, both = uu + vv;
-    const Values q{vv, both < 0 ? both + uv : both - uv, uu};
-    return with_out(std::max(most_of_pairs(q), most_of_pairs({-q[0], -q[1], -q[2]})) / 2, u, v);
-}
-
 // Of several parts, that in the middle of which the surface bends most.
 double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
@@ -174,15 +165,27 @@ Cut halves(size_t axis, double parts) noexcept {
 
 } // namespace
 
-// What is over the tolerance by less may be flat enough in one of the halves.
+namespace {
+
+// Of halves that are over the tolerance by so much: where the best cuts of these are in their middle for certain.
+std::optional<size_t> cut_of_halves(const CellBend &bend, size_t axis, double over) noexcept {
+    if (!(over > certainly_over)) {
+        return std::nullopt;
+    }
+    const double both = bend.in_parts(2, 2);
+    const bool first = axis == 0 ? bend.in_parts(4, 1) <= both : both <= bend.in_parts(1, 4);
+    const size_t next = first ? 0 : 1;
+    return over > far_over || !are_alike(bend.heights, next) ? std::optional(next) : std::nullopt;
+}
+
+} // namespace
+
 Cut best_cut(const CellBend &bend, double chord) noexcept {
     const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
     const size_t axis = u <= v ? 0 : 1;
     Cut cut = halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
-    if (cut.share == 0.5 && std::min(u, v) > certainly_over * chord) {
-        const double both = bend.most_in_parts(2, 2);
-        const bool first = axis == 0 ? bend.most_in_parts(4, 1) <= both : both <= bend.most_in_parts(1, 4);
-        cut.next = first ? 0 : 1;
+    if (cut.share == 0.5) {
+        cut.next = cut_of_halves(bend, axis, std::min(u, v) / chord);
     }
     return cut;
 }

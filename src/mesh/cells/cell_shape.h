@@ -20,8 +20,6 @@ struct CellBend {
 
     // The distance of a cell of a grid of so many along the axes.
     [[nodiscard]] double in_parts(double u_parts, double v_parts) const noexcept;
-    // About that, and no less: with the most of second derivatives all over the cell.
-    [[nodiscard]] double most_in_parts(double u_parts, double v_parts) const noexcept;
     [[nodiscard]] double with_out(double height, double u, double v) const noexcept;
     [[nodiscard]] double slope(double u, double v) const noexcept;
 };
