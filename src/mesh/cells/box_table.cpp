@@ -7,7 +7,7 @@ namespace nrb::mesh {
 
 namespace {
 
-constexpr size_t fewest_slots = 64, most_slots = 16384;
+constexpr size_t fewest_slots = 64, most_slots = 8192;
 
 } // namespace
 

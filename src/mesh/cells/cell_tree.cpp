@@ -40,8 +40,17 @@ void CellTree::coarsen(double factor) {
     boxes_ = std::make_unique<BoxTable>(grid_);
 }
 
+void CellTree::clear() noexcept {
+    cells_ = {};
+    nodes_ = {};
+    boxes_.reset();
+}
+
 void CellTree::cut(const std::vector<int32_t> &cells) {
     Builder builder(grid_, rule_, *this);
+    // No more than there will be: of large meshes room that is not used is a good part of all memory.
+    cells_.reserve(cells_.size() + cells.size());
+    nodes_.reserve(nodes_.size() + 3 * cells.size());
     for (const int32_t cell : cells) {
         builder.cut(cell);
     }

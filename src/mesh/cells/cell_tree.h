@@ -62,6 +62,8 @@ public:
     [[nodiscard]] double coarsening() const noexcept { return coarsening_; }
     // Cuts cells in two, along which axis a function of each says. Cells that cannot be cut stay.
     void cut(const std::vector<int32_t> &cells);
+    // Frees the memory of cells. Blocks stay.
+    void clear() noexcept;
     [[nodiscard]] const std::vector<Cell> &cells() const noexcept { return cells_; }
     // Rising.
     [[nodiscard]] const std::vector<CellLine> &lines(size_t k) const noexcept { return lines_[k]; }

@@ -98,6 +98,7 @@ void DomainMesher::make_cells() {
     std::vector<int32_t> border;
     std::vector<std::array<int32_t, 3>> made;
     const auto &all = cells_.tree().cells();
+    states_.reserve(all.size());
     states_.resize(all.size());
     triangles_.reserve(2 * all.size() + all.size() / 4);
     for (size_t i = 0; i < all.size(); ++i) {

@@ -83,6 +83,8 @@ private:
     bool divide_far(AngleRefinement &refinement);
     [[nodiscard]] bool is_whole() const;
     [[nodiscard]] std::vector<std::array<int32_t, 3>> all_points() const;
+    [[nodiscard]] bool judge(DomainMesh &result) const;
+    bool add_triangles(DomainMesh &result) const;
     [[nodiscard]] DomainMesh output();
 
     const MeshDomain &domain_;

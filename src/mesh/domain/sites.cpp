@@ -116,11 +116,14 @@ int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int3
 
 void Sites::evaluate() {
     const size_t known = positions_.size();
-    positions_.resize(sites_.size());
-    normals_.resize(sites_.size());
+    for (std::vector<Vector3> *all : {&positions_, &normals_}) {
+        all->reserve(sites_.size());
+        all->resize(sites_.size());
+    }
     for (size_t first = known; first < sites_.size(); first += most_at_once) {
         evaluate(first, std::min(first + most_at_once, sites_.size()));
     }
+    point_sites_.reserve(static_cast<size_t>(next_point_ - first_point_));
     point_sites_.resize(static_cast<size_t>(next_point_ - first_point_), -1);
     for (size_t i = known; i < sites_.size(); ++i) {
         if (sites_[i].point >= first_point_) {

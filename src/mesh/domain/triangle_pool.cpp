@@ -91,6 +91,7 @@ std::vector<int32_t> TrianglePool::beside_touched(size_t points) {
 
 void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
     const std::vector<int32_t> wanted = beside_touched(points);
+    distances_.reserve(sites_.size());
     distances_.resize(sites_.size());
     PartProof parts(proof, points, meshed_, wanted, [this](size_t i) { return (*this)[i]; });
     std::vector<Distances> found;
