@@ -7,7 +7,7 @@ namespace nrb::mesh {
 
 namespace {
 
-constexpr size_t fewest_slots = 64, most_slots = 8192;
+constexpr size_t fewest_slots = 64, most_slots = 4096;
 
 } // namespace
 
@@ -27,7 +27,7 @@ void BoxTable::keep(int32_t cell, const HessianBox &box) {
 const HessianBox &BoxTable::box(int32_t cell, const Rectangle &part) {
     Slot &own = slot(cell);
     if (own.cell != cell) {
-        own = {cell, nets_.box(part, nets_.pieces_in(part))};
+        own = {cell, nets_.box(part, nets_.pieces_in(part), steps_)};
     }
     return own.box;
 }

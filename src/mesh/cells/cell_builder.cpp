@@ -193,7 +193,7 @@ CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
     }
     Found found{box_about(corners)};
     const double noise = nets_.noise(item.divisions);
-    const bool steps = rule_.side || rule_.longest > 0 || rule_.angle > 0;
+    const bool steps = rule_.wants_steps();
     for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
         for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j) {
             found.box.add(nets_.degree(0), nets_.degree(1), net_of(item, i, j), factors(item, i, j), noise,

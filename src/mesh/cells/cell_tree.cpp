@@ -10,7 +10,7 @@
 namespace nrb::mesh {
 
 CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule)
-    : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid)) {
+    : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid, rule.wants_steps())) {
     constexpr int most_attempts = 3;
     for (int attempt = 1; true; ++attempt) {
         const bool was_ended = work_ended();
@@ -37,7 +37,7 @@ void CellTree::coarsen(double factor) {
         blocks_[k].clear();
         block_ends_[k].clear();
     }
-    boxes_ = std::make_unique<BoxTable>(grid_);
+    boxes_ = std::make_unique<BoxTable>(grid_, rule_.wants_steps());
 }
 
 void CellTree::clear() noexcept {

@@ -22,6 +22,9 @@ struct CellRule {
     // corners in one point but those at a pole.
     std::array<double, 2> most_sides{infinity, infinity};
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
+
+    // Whether it depends on how far the surface moves on steps in cells.
+    [[nodiscard]] bool wants_steps() const noexcept { return side || longest > 0 || angle > 0; }
 };
 
 // A line u = t or v = t along which cells end. Where the surface may have a kink or a jump, cells to its left and to its right have

@@ -29,6 +29,7 @@ private:
     [[nodiscard]] CellRule cell_rule() const;
     void coarsen(double factor) noexcept;
     [[nodiscard]] Side side_of(const Rectangle &part) const;
+    void look_at_cells();
     void make_cells();
     void make_strip();
     [[nodiscard]] double rounding(double least_weight) const noexcept;

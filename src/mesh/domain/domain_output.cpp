@@ -42,8 +42,9 @@ bool DomainMesher::is_whole() const {
 bool DomainMesher::is_pair(size_t triangle) const noexcept {
     const int32_t cell = triangles_[triangle].cell;
     const CellState none, &state = cell < 0 ? none : states_[static_cast<size_t>(cell)];
-    return state.places == 4 && state.triangles.count == 2 && state.triangles.first == triangle &&
-           !is_at_point(triangles_[triangle]) && !is_at_point(triangles_[triangle + 1]);
+    return state.places == 4 && state.triangles.count == 2 &&
+           state.triangles.first == static_cast<int32_t>(triangle) && !is_at_point(triangles_[triangle]) &&
+           !is_at_point(triangles_[triangle + 1]);
 }
 
 std::vector<std::array<int32_t, 3>> DomainMesher::all_points() const {

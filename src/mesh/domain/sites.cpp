@@ -25,6 +25,14 @@ Sites::Sites(const MeshDomain &domain, const CellGrid &cells)
         border_points_.try_emplace(point.param, point.point);
     }
     set_border_points();
+    make_room();
+}
+
+// All places are sites where all of the domain is inside.
+void Sites::make_room() {
+    if (!domain_.inside) {
+        sites_.reserve(place_sites_.size());
+    }
 }
 
 void Sites::set_point(int32_t place, int32_t point) {
@@ -60,6 +68,7 @@ void Sites::renumber(const std::vector<int32_t> &places) {
     place_sites_ = std::move(sites);
     place_points_ = std::move(points);
     set_border_points();
+    make_room();
 }
 
 int32_t Sites::of_place(int32_t place) {

@@ -26,9 +26,9 @@ float rounded_up(double x) noexcept {
 
 } // namespace
 
-void TrianglePool::reserve(size_t count) {
-    sites_.reserve(count);
-    meshed_.reserve(count);
+void TrianglePool::make_room(size_t count) {
+    sites_.reserve(sites_.size() + count);
+    meshed_.reserve(meshed_.size() + count);
 }
 
 SiteTriangle TrianglePool::operator[](size_t i) const noexcept {
@@ -60,7 +60,8 @@ void TrianglePool::add(const SiteTriangle &triangle, const MeshTriangle &meshed)
 }
 
 void TrianglePool::remove(const Range &range) {
-    for (size_t i = range.first; i < range.first + range.count; ++i) {
+    const auto first = static_cast<size_t>(range.first);
+    for (size_t i = first; i < first + static_cast<size_t>(range.count); ++i) {
         touch(i);
         sites_[i].sites[0] = -1;
         meshed_[i] = {};
@@ -95,9 +96,10 @@ void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
     distances_.resize(sites_.size());
     PartProof parts(proof, points, meshed_, wanted, [this](size_t i) { return (*this)[i]; });
     std::vector<Distances> found;
+    // The last ones first: of their cells boxes are kept.
     for (auto rest = std::span(std::as_const(wanted)); !rest.empty();) {
-        const auto part = rest.first(std::min(triangles_of_a_part, rest.size()));
-        rest = rest.subspan(part.size());
+        const auto part = rest.last(std::min(triangles_of_a_part, rest.size()));
+        rest = rest.first(rest.size() - part.size());
         parts.prove(part, wanted.size() < least_to_hurry ? 0 : enough, found);
         for (size_t i = 0; i < part.size(); ++i) {
             distances_[static_cast<size_t>(part[i])] = {rounded_up(found[i].from_shape),
