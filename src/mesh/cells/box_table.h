@@ -21,14 +21,13 @@ public:
 
 private:
     struct Slot {
-        int32_t cell = -1;
+        int32_t cell;
         HessianBox box;
     };
-    [[nodiscard]] Slot &slot(int32_t cell);
 
     CellNets nets_;
     bool steps_;
-    std::vector<Slot> slots_; // a power of two
+    std::vector<Slot> slots_;
 };
 
 } // namespace nrb::mesh
