@@ -184,9 +184,12 @@ bool DomainMesher::is_border(const Site &site) const noexcept {
 
 MeshTriangle DomainMesher::mesh_triangle(const SiteTriangle &triangle) const noexcept {
     MeshTriangle result{points_of(triangle)};
+    std::array<bool, 3> at_end{}; // corners
     for (size_t k = 0; k < 3; ++k) {
-        result.border[k] = triangle.border[k] >= 0 || (is_border(sites_[triangle.sites[(k + 1) % 3]]) &&
-                                                       is_border(sites_[triangle.sites[(k + 2) % 3]]));
+        at_end[k] = is_border(sites_[triangle.sites[k]]);
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        result.border[k] = triangle.border[k] >= 0 || (at_end[(k + 1) % 3] && at_end[(k + 2) % 3]);
     }
     return result;
 }

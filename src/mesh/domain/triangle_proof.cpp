@@ -98,13 +98,15 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
     Placed result;
     for (size_t k = 0; k < 3; ++k) {
         const int32_t site = triangle.sites[k];
-        const Vector3 &x = sites_.point(sites_[site].point);
+        const Vector3 &x = sites_.point(sites_[site].point), &own = sites_.position(site);
         const std::array<double, 3> given{x.x, x.y, x.z};
         std::array<double, 4> in_grid{};
         grid_.place(given.data(), in_grid.data());
         TriangleCorner &corner = result.corners[k];
         corner = {sites_[site].param, {in_grid[0], in_grid[1], domain_.surface->dim() == 3 ? in_grid[2] : 0}};
-        result.moved = std::max(result.moved, grid_.scaled(length(x - sites_.position(site))));
+        if (&x != &own) { // else it is where it is evaluated
+            result.moved = std::max(result.moved, grid_.scaled(length(x - own)));
+        }
         for (size_t axis = 0; axis < 2; ++axis) {
             const double t = corner.param[axis];
             result.part.lower[axis] = k == 0 ? t : std::min(result.part.lower[axis], t);
