@@ -208,21 +208,6 @@ CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
     return found;
 }
 
-namespace {
-
-CellBends bends_of(const HessianBox &box) noexcept {
-    CellBends result;
-    for (size_t c = 0; c < 3; ++c) {
-        const Hessian &own = box.of(c);
-        result.uu[c] = static_cast<float>(own.uu.middle);
-        result.uv[c] = static_cast<float>(own.uv.middle);
-        result.vv[c] = static_cast<float>(own.vv.middle);
-    }
-    return result;
-}
-
-} // namespace
-
 void CellTree::Builder::keep_box(int32_t cell, const Rectangle &part, const HessianBox &box) {
     tree_.boxes_->keep(cell, box);
     for (size_t k = 0; k < 2 && rule_.side; ++k) {
@@ -235,7 +220,7 @@ void CellTree::Builder::keep_box(int32_t cell, const Rectangle &part, const Hess
 
 void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side side) {
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
-    const Cell cell{item.lower, item.upper, block_, node, side, bends_of(box)};
+    const Cell cell{item.lower, item.upper, block_, node, side, CellBends::of(box)};
     const bool instead = item.cell >= 0;
     const int32_t number = instead ? item.cell : static_cast<int32_t>(tree_.cells_.size());
     tree_.nodes_.push_back({-1, number, 0});

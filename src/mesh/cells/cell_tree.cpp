@@ -9,6 +9,17 @@
 
 namespace nrb::mesh {
 
+CellBends CellBends::of(const HessianBox &box) noexcept {
+    CellBends result;
+    for (size_t c = 0; c < 3; ++c) {
+        const Hessian &own = box.of(c);
+        result.uu[c] = static_cast<float>(own.uu.middle);
+        result.uv[c] = static_cast<float>(own.uv.middle);
+        result.vv[c] = static_cast<float>(own.vv.middle);
+    }
+    return result;
+}
+
 CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule)
     : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid, rule.wants_steps())) {
     constexpr int most_attempts = 3;

@@ -38,6 +38,7 @@ struct CellLine {
 struct CellBends {
     std::array<float, 3> uu{}, uv{}, vv{};
 
+    static CellBends of(const HessianBox &box) noexcept;
     // That of coordinate c along (u, v).
     [[nodiscard]] double along(size_t c, double u, double v) const noexcept {
         return static_cast<double>(uu[c]) * u * u + 2.0 * static_cast<double>(uv[c]) * u * v +
