@@ -7,27 +7,29 @@ namespace nrb::mesh {
 
 namespace {
 
-constexpr size_t fewest_slots = 64, most_slots = 16384;
+constexpr size_t fewest_slots = 64, most_slots = 4096;
+// As slots become more: boxes are moved seldom, and pages of memory without any are never touched.
+constexpr size_t growth = 8;
 
 } // namespace
 
-// Until there are as many as there may be, cells are at their numbers.
-BoxTable::Slot &BoxTable::slot(int32_t cell) {
-    const auto number = static_cast<size_t>(cell);
-    while (number >= slots_.size() && slots_.size() < most_slots) {
-        slots_.resize(std::max(fewest_slots, 2 * slots_.size()));
-    }
-    return slots_[number % slots_.size()];
-}
-
+// New cells come in the order of their numbers: until there are as many slots as there may be, each has its own.
 void BoxTable::keep(int32_t cell, const HessianBox &box) {
-    slot(cell) = {cell, box};
+    const size_t at = static_cast<size_t>(cell) % most_slots;
+    if (at == slots_.size()) {
+        if (at == slots_.capacity()) {
+            slots_.reserve(std::max(fewest_slots, growth * at));
+        }
+        slots_.push_back({cell, box});
+    } else {
+        slots_[at] = {cell, box};
+    }
 }
 
 const HessianBox &BoxTable::box(int32_t cell, const Rectangle &part) {
-    Slot &own = slot(cell);
+    Slot &own = slots_[static_cast<size_t>(cell) % most_slots];
     if (own.cell != cell) {
-        own = {cell, nets_.box(part, nets_.pieces_in(part))};
+        own = {cell, nets_.box(part, nets_.pieces_in(part), steps_)};
     }
     return own.box;
 }

@@ -8,11 +8,12 @@
 
 namespace nrb::mesh {
 
-// A box takes 600 bytes, and as long to make anew as to write and read it far away, so that only some are kept: all of a small mesh,
+// A box takes 700 bytes, and as long to make anew as to write and read it far away, so that only some are kept: all of a small mesh,
 // and of a large one those that are near to each other in the order of cells.
 class BoxTable {
 public:
-    explicit BoxTable(const pieces::PieceGrid &grid) : nets_(grid) {}
+    // `steps`: as of HessianBox::add().
+    BoxTable(const pieces::PieceGrid &grid, bool steps) : nets_(grid), steps_(steps) {}
 
     void keep(int32_t cell, const HessianBox &box);
     // Of a cell over this part of the domain; until the next call.
@@ -20,13 +21,13 @@ public:
 
 private:
     struct Slot {
-        int32_t cell = -1;
+        int32_t cell;
         HessianBox box;
     };
-    [[nodiscard]] Slot &slot(int32_t cell);
 
     CellNets nets_;
-    std::vector<Slot> slots_; // a power of two
+    bool steps_;
+    std::vector<Slot> slots_;
 };
 
 } // namespace nrb::mesh

@@ -91,6 +91,12 @@ void CellTree::Builder::look_at(Item item) {
     count_work(work_of_a_cell);
     const Side side = item.side = side_of(item);
     make_nets(item);
+    if (item.cut && side != Side::outside && item.nets >= 0) {
+        const size_t axis = *std::exchange(item.cut, std::nullopt);
+        if (divide(item, {axis, 0.5})) {
+            return;
+        }
+    }
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
     bend.alone = at_border(item);
@@ -187,9 +193,11 @@ CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
     }
     Found found{box_about(corners)};
     const double noise = nets_.noise(item.divisions);
+    const bool steps = rule_.wants_steps();
     for (int64_t i = item.pieces.lower[0]; i < item.pieces.upper[0]; ++i) {
         for (int64_t j = item.pieces.lower[1]; j < item.pieces.upper[1]; ++j) {
-            found.box.add(nets_.degree(0), nets_.degree(1), net_of(item, i, j), factors(item, i, j), noise);
+            found.box.add(nets_.degree(0), nets_.degree(1), net_of(item, i, j), factors(item, i, j), noise,
+                          steps);
             count_work(work_for_a_number * static_cast<int64_t>(nets_.values()));
         }
         if (!all && item.nets < 0 && !(bend_of(found.box).in_parts(1, 1) <= 4 * rule_.chord)) {
@@ -199,21 +207,6 @@ CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
     }
     return found;
 }
-
-namespace {
-
-CellBends bends_of(const HessianBox &box) noexcept {
-    CellBends result;
-    for (size_t c = 0; c < 3; ++c) {
-        const Hessian own = box.of(c);
-        result.uu[c] = static_cast<float>(own.uu.middle);
-        result.uv[c] = static_cast<float>(own.uv.middle);
-        result.vv[c] = static_cast<float>(own.vv.middle);
-    }
-    return result;
-}
-
-} // namespace
 
 void CellTree::Builder::keep_box(int32_t cell, const Rectangle &part, const HessianBox &box) {
     tree_.boxes_->keep(cell, box);
@@ -227,7 +220,7 @@ void CellTree::Builder::keep_box(int32_t cell, const Rectangle &part, const Hess
 
 void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side side) {
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
-    const Cell cell{item.lower, item.upper, block_, node, side, bends_of(box)};
+    const Cell cell{item.lower, item.upper, block_, node, side, CellBends::of(box)};
     const bool instead = item.cell >= 0;
     const int32_t number = instead ? item.cell : static_cast<int32_t>(tree_.cells_.size());
     tree_.nodes_.push_back({-1, number, 0});
@@ -280,6 +273,7 @@ bool CellTree::Builder::divide(Item &item, Cut cut) {
     low.part.upper[k] = high.part.lower[k] = at;
     low.upper[k] = high.lower[k] = add_line(k, at, false);
     low.divisions = high.divisions = item.divisions + 1;
+    low.cut = high.cut = cut.next;
     const int64_t piece = grid_.find(static_cast<int>(k), at); // the one to the right
     high.pieces.lower[k] = piece;
     low.pieces.upper[k] = at > grid_.break_at(static_cast<int>(k), piece) ? piece + 1 : piece;

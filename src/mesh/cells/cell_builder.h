@@ -29,7 +29,8 @@ private:
         int32_t parent = -1; // whose upper child it is
         int32_t cell = -1;   // which it takes the place of
         int divisions = 0;
-        Side side = Side::outside; // known of parts of what is inside
+        Side side = Side::outside;   // known of parts of what is inside
+        std::optional<size_t> cut{}; // along which axis, whatever it is like
     };
 
     void set_blocks();

@@ -3,6 +3,7 @@
 
 #include "bernstein/de_casteljau.h"
 #include "mesh/cells/cell_shape.h"
+#include "mesh/proof/four.h"
 
 #include <algorithm>
 
@@ -44,12 +45,12 @@ Interval CellNets::part_of(const Rectangle &part, size_t k, int64_t piece) const
 
 namespace {
 
-// Coefficients of [outer][degree + 1][inner] over a part of [0, 1]; as restrict_to(), for all of them at once.
+// Coefficients of [outer][degree + 1][inner] over a part of [0, 1]; as restrict_to(), for all of them at once. inner: a multiple of 4.
 void restrict_layers(const AxisLayers &layers, double lower, double upper, double *values) noexcept {
     const int p = layers.degree;
     const auto mix = [&](double *to, double a, const double *x, double b, const double *y) {
-        for (int64_t i = 0; i < layers.inner; ++i) {
-            to[i] = a * x[i] + b * y[i];
+        for (int64_t i = 0; i < layers.inner; i += 4) {
+            (Four(x + i) * a + Four(y + i) * b).store(to + i);
         }
     };
     const double t = lower / upper, rest = (upper - lower) / upper;
@@ -121,7 +122,7 @@ Rectangle CellNets::wide_part(const Rectangle &part, const std::array<int64_t, 2
     return result;
 }
 
-HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces) {
+HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces, bool steps) {
     const bool one = pieces.count() == 1;
     net_.resize(5 * values_);
     CellCorners corners;
@@ -143,7 +144,7 @@ HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces) {
                 extract(u, v, own, net);
             }
             result.add(degrees_[0], degrees_[1], net,
-                       {part.side(0) / own.side(0), part.side(1) / own.side(1)}, noise(4));
+                       {part.side(0) / own.side(0), part.side(1) / own.side(1)}, noise(4), steps);
         }
     }
     return result;

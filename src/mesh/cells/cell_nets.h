@@ -34,8 +34,8 @@ public:
     [[nodiscard]] Interval part_of(const Rectangle &part, size_t k, int64_t piece) const noexcept;
     // The pieces that a part has inside.
     [[nodiscard]] PieceRange pieces_in(const Rectangle &part) const noexcept;
-    // Over a part of the domain, with an axis across a plane of it.
-    [[nodiscard]] HessianBox box(const Rectangle &part, const PieceRange &pieces);
+    // Over a part of the domain, with an axis across a plane of it. `steps`: as of HessianBox::add().
+    [[nodiscard]] HessianBox box(const Rectangle &part, const PieceRange &pieces, bool steps = true);
     // How far coefficients may be from exact ones after so many divisions, relative to the largest weight.
     [[nodiscard]] double noise(int divisions) const noexcept;
 

@@ -15,6 +15,8 @@ constexpr double most_parts = 8;
 constexpr double most_out = 0.25;
 // By what second derivatives differ in parts that are alike, relative to them.
 constexpr double most_varied = 0.1;
+// By what factor a half is to be over the tolerance for both halves to be over it, and for it to need more than most_parts / 2 parts.
+constexpr double certainly_over = 2, far_over = 16;
 // What slopes count about, in bounds of meshes.
 constexpr double slope_times = 0.15;
 
@@ -50,7 +52,7 @@ namespace {
 // The most of the second derivative, across each of the two sides along axis k, that the function has which is 0 in both ends of that
 // side: A - w P along an axis, for P on this side and on the other.
 double beside_sides(const HessianBox &box, size_t k) noexcept {
-    const Hessian coordinate = box.of(1 - k), weight = box.of(3);
+    const Hessian &coordinate = box.of(1 - k), &weight = box.of(3);
     const Range &a = k == 0 ? coordinate.uu : coordinate.vv, &w = k == 0 ? weight.uu : weight.vv;
     const auto on_side = [&](double end) {
         const double p = end * box.speed(1 - k), middle = a.middle - p * w.middle, u = a.u - p * w.u,
@@ -64,14 +66,17 @@ double beside_sides(const HessianBox &box, size_t k) noexcept {
 } // namespace
 
 CellBend bend_of(const HessianBox &box) noexcept {
-    const Hessian height = box.of(2);
+    const Hessian &height = box.of(2);
     const double w = box.least_weight();
     const auto divided = [&](const Range &range) {
         return Range{range.middle / w, range.u / w, range.v / w, range.radius / w};
     };
-    return {{divided(height.uu), divided(height.uv), divided(height.vv)},
+    const Hessian heights{divided(height.uu), divided(height.uv), divided(height.vv)};
+    const double u = box.speed(0), v = box.speed(1), uv = heights.uv.most();
+    return {heights,
             {beside_sides(box, 0) / w / 8, beside_sides(box, 1) / w / 8},
-            {box.speed(0), box.speed(1)}};
+            {u, v},
+            {heights.uu.most() / u, uv / v, uv / u, heights.vv.most() / v}};
 }
 
 namespace {
@@ -82,30 +87,31 @@ using Place = std::array<double, 2>;
 // third one along v.
 double over_triangle(const Hessian &h, const Place &a, const Place &b, const Place &c) noexcept {
     const double u = b[0] - a[0], v = c[1] - b[1];
-    const std::array<const Place *, 3> corners{&a, &b, &c};
-    std::array<Values, 3> q; // sides are opposite of corners
-    for (size_t m = 0; m < 3; ++m) {
-        const auto [x, y] = *corners[m];
-        const double uu = h.uu.at(x, y) * u * u, vv = h.vv.at(x, y) * v * v;
-        q[0][m] = vv;
-        q[1][m] = uu + 2 * h.uv.at(x, y) * u * v + vv;
-        q[2][m] = uu;
-    }
+    const auto bends = [&](const Place &x) { // along sides, which are opposite of corners
+        const double uu = h.uu.at(x[0], x[1]) * u * u, vv = h.vv.at(x[0], x[1]) * v * v;
+        return Four(vv, uu + 2 * h.uv.at(x[0], x[1]) * u * v + vv, uu, 0);
+    };
     const double all = h.beside(u, v);
-    return Bend(q, {h.vv.radius * v * v, all, h.uu.radius * u * u}, all).both();
+    return Bend({bends(a), bends(b), bends(c)}, {h.vv.radius * v * v, all, h.uu.radius * u * u, all}).both();
 }
 
 } // namespace
 
 // By how much the normal turns over a part.
 double CellBend::slope(double u, double v) const noexcept {
-    const double uu = heights.uu.most() * u / speeds[0], uv_u = heights.uv.most() * v / speeds[0],
-                 uv_v = heights.uv.most() * u / speeds[1], vv = heights.vv.most() * v / speeds[1];
-    const double most = std::max(diagonal(uu, uv_v), diagonal(uv_u, vv));
+    const double most =
+        std::max(diagonal(slopes[0] * u, slopes[1] * u), diagonal(slopes[2] * v, slopes[3] * v));
     return std::isfinite(most) ? std::min(most, 1.0) : 1.0;
 }
 
 // Where triangles have others around, what comes out of them counts by the slopes of these (mesh_bound.h).
+double CellBend::with_out(double height, double u, double v) const noexcept {
+    const double out = std::max(beside[0] * u * u, beside[1] * v * v);
+    const double width = std::min(speeds[0] * u, speeds[1] * v);
+    return alone || out > most_out * width ? diagonal(height, out)
+                                           : height + (out + height) * slope_times * slope(u, v);
+}
+
 // Of several parts, that in the middle of which the surface bends most.
 double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
@@ -121,10 +127,7 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                                             over_triangle(h, {a, b}, {-a, b}, {-a, -b}))
                                  : std::max(over_triangle(h, {a, -b}, {-a, -b}, {-a, b}),
                                             over_triangle(h, {-a, b}, {a, b}, {a, -b}));
-    const double out = std::max(beside[0] * u * u, beside[1] * v * v);
-    const double width = std::min(speeds[0] * u, speeds[1] * v);
-    return alone || out > most_out * width ? diagonal(height, out)
-                                           : height + (out + height) * slope_times * slope(u, v);
+    return with_out(height, u, v);
 }
 
 namespace {
@@ -162,14 +165,34 @@ Cut halves(size_t axis, double parts) noexcept {
 
 } // namespace
 
+namespace {
+
+// Of halves that are over the tolerance by so much: where the best cuts of these are in their middle for certain.
+std::optional<size_t> cut_of_halves(const CellBend &bend, size_t axis, double over) noexcept {
+    if (!(over > certainly_over)) {
+        return std::nullopt;
+    }
+    const double both = bend.in_parts(2, 2);
+    const bool first = axis == 0 ? bend.in_parts(4, 1) <= both : both <= bend.in_parts(1, 4);
+    const size_t next = first ? 0 : 1;
+    return over > far_over || !are_alike(bend.heights, next) ? std::optional(next) : std::nullopt;
+}
+
+} // namespace
+
 Cut best_cut(const CellBend &bend, double chord) noexcept {
-    const size_t axis = bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1;
-    return halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
+    const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
+    const size_t axis = u <= v ? 0 : 1;
+    Cut cut = halves(axis, are_alike(bend.heights, axis) ? parts_for(bend, chord)[axis] : 2);
+    if (cut.share == 0.5) {
+        cut.next = cut_of_halves(bend, axis, std::min(u, v) / chord);
+    }
+    return cut;
 }
 
 // The slopes of the surface over the plane of the cell change by its second derivatives.
 CellTurn turn_of(const HessianBox &box, double least) noexcept {
-    const Hessian height = box.of(2);
+    const Hessian &height = box.of(2);
     const double mixed = height.uv.most(), w = box.least_weight();
     std::array<std::array<double, 2>, 2> slopes{}; // [towards][along]
     for (size_t k = 0; k < 2; ++k) {

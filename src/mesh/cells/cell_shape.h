@@ -4,6 +4,8 @@
 
 #include "mesh/proof/hessian_box.h"
 
+#include <optional>
+
 namespace nrb::mesh {
 
 // An estimate, for deciding. Second derivatives along the axes of the cell, divided by its weight: across its plane, and in the plane across
@@ -12,10 +14,13 @@ struct CellBend {
     Hessian heights;
     std::array<double, 2> beside{};
     std::array<double, 2> speeds{}; // lengths of the sides, about
-    bool alone = false;             // where other triangles are not to be counted on
+    std::array<double, 4>
+        slopes{}; // of slopes along both sides what they change by along the first one, and along the second one
+    bool alone = false; // where other triangles are not to be counted on
 
     // The distance of a cell of a grid of so many along the axes.
     [[nodiscard]] double in_parts(double u_parts, double v_parts) const noexcept;
+    [[nodiscard]] double with_out(double height, double u, double v) const noexcept;
     [[nodiscard]] double slope(double u, double v) const noexcept;
 };
 
@@ -26,10 +31,11 @@ using CellCorners = std::array<const double *, 4>;
 HessianBox box_about(const CellCorners &corners) noexcept;
 CellBend bend_of(const HessianBox &box) noexcept;
 
-// An axis to cut, and where: a share of the side.
+// An axis to cut, and where: a share of the side; and the axis along which both halves are to be cut, where that is known already.
 struct Cut {
     size_t axis;
     double share;
+    std::optional<size_t> next{};
 };
 Cut best_cut(const CellBend &bend, double chord) noexcept;
 

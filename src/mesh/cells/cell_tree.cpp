@@ -9,8 +9,19 @@
 
 namespace nrb::mesh {
 
+CellBends CellBends::of(const HessianBox &box) noexcept {
+    CellBends result;
+    for (size_t c = 0; c < 3; ++c) {
+        const Hessian &own = box.of(c);
+        result.uu[c] = static_cast<float>(own.uu.middle);
+        result.uv[c] = static_cast<float>(own.uv.middle);
+        result.vv[c] = static_cast<float>(own.vv.middle);
+    }
+    return result;
+}
+
 CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule)
-    : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid)) {
+    : grid_(grid), rule_(rule), boxes_(std::make_unique<BoxTable>(grid, rule.wants_steps())) {
     constexpr int most_attempts = 3;
     for (int attempt = 1; true; ++attempt) {
         const bool was_ended = work_ended();
@@ -37,11 +48,20 @@ void CellTree::coarsen(double factor) {
         blocks_[k].clear();
         block_ends_[k].clear();
     }
-    boxes_ = std::make_unique<BoxTable>(grid_);
+    boxes_ = std::make_unique<BoxTable>(grid_, rule_.wants_steps());
+}
+
+void CellTree::clear() noexcept {
+    cells_ = {};
+    nodes_ = {};
+    boxes_.reset();
 }
 
 void CellTree::cut(const std::vector<int32_t> &cells) {
     Builder builder(grid_, rule_, *this);
+    // No more than there will be: of large meshes room that is not used is a good part of all memory.
+    cells_.reserve(cells_.size() + cells.size());
+    nodes_.reserve(nodes_.size() + 3 * cells.size());
     for (const int32_t cell : cells) {
         builder.cut(cell);
     }

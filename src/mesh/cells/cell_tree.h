@@ -22,6 +22,9 @@ struct CellRule {
     // corners in one point but those at a pole.
     std::array<double, 2> most_sides{infinity, infinity};
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
+
+    // Whether it depends on how far the surface moves on steps in cells.
+    [[nodiscard]] bool wants_steps() const noexcept { return side || longest > 0 || angle > 0; }
 };
 
 // A line u = t or v = t along which cells end. Where the surface may have a kink or a jump, cells to its left and to its right have
@@ -35,6 +38,7 @@ struct CellLine {
 struct CellBends {
     std::array<float, 3> uu{}, uv{}, vv{};
 
+    static CellBends of(const HessianBox &box) noexcept;
     // That of coordinate c along (u, v).
     [[nodiscard]] double along(size_t c, double u, double v) const noexcept {
         return static_cast<double>(uu[c]) * u * u + 2.0 * static_cast<double>(uv[c]) * u * v +
@@ -62,6 +66,8 @@ public:
     [[nodiscard]] double coarsening() const noexcept { return coarsening_; }
     // Cuts cells in two, along which axis a function of each says. Cells that cannot be cut stay.
     void cut(const std::vector<int32_t> &cells);
+    // Frees the memory of cells. Blocks stay.
+    void clear() noexcept;
     [[nodiscard]] const std::vector<Cell> &cells() const noexcept { return cells_; }
     // Rising.
     [[nodiscard]] const std::vector<CellLine> &lines(size_t k) const noexcept { return lines_[k]; }

@@ -15,6 +15,25 @@ uint64_t key_of(int32_t u, int32_t v) noexcept {
     return static_cast<uint64_t>(u) << 32 | static_cast<uint32_t>(v);
 }
 
+// By u and then by v, of so many lines: in time that does not grow faster than their number.
+void sort_keys(const std::array<size_t, 2> &lines, std::vector<uint64_t> &keys) {
+    std::vector<uint64_t> sorted(keys.size());
+    for (const size_t axis : {size_t{1}, size_t{0}}) {
+        const auto line = [axis](uint64_t key) {
+            return static_cast<size_t>(axis == 0 ? key >> 32 : key & 0xffffffffU);
+        };
+        std::vector<size_t> next(lines[axis] + 1, 0);
+        for (const uint64_t key : keys) {
+            ++next[line(key) + 1];
+        }
+        std::partial_sum(next.begin(), next.end(), next.begin());
+        for (const uint64_t key : keys) {
+            sorted[next[line(key)]++] = key;
+        }
+        keys.swap(sorted);
+    }
+}
+
 } // namespace
 
 LineTwins::LineTwins(const CellTree &tree, const pieces::PieceGrid &grid) {
@@ -42,7 +61,7 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(tw
     for (const Cell &cell : tree.cells()) {
         add_corners(cell, keys_);
     }
-    std::ranges::sort(keys_);
+    sort_keys({tree.lines(0).size(), tree.lines(1).size()}, keys_);
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     keys_ = std::vector(std::as_const(keys_)); // without room for more
     index(tree);

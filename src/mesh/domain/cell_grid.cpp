@@ -78,6 +78,12 @@ bool CellGrid::is_crossing(int32_t place) const noexcept {
     return result;
 }
 
+void CellGrid::clear() noexcept {
+    table_.reset();
+    twins_.reset();
+    tree_.clear();
+}
+
 namespace {
 
 // Of lines that are among others, both rising: their numbers there.

@@ -35,6 +35,8 @@ public:
 
     // Divides cells. Returns the new numbers of places.
     std::vector<int32_t> cut(const std::vector<int32_t> &cells);
+    // Frees the memory. Nothing can be asked for after that.
+    void clear() noexcept;
 
 private:
     void make_twins();

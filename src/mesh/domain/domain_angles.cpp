@@ -52,7 +52,7 @@ void DomainMesher::take(AngleRefinement &refinement) {
         if (const int32_t cell = triangles_[at].cell; cell >= 0) {
             states_[static_cast<size_t>(cell)].places = 0;
         }
-        triangles_.remove({at, 1});
+        triangles_.remove({static_cast<int32_t>(at), 1});
     }
     refinement.clear_dropped();
     const SiteNet &net = refinement.net();

@@ -92,14 +92,12 @@ Side DomainMesher::side_of(const Rectangle &part) const {
                : Side::outside;
 }
 
-// Cells with as many places on their border as before have the triangles that they had.
-void DomainMesher::make_cells() {
-    CellTriangles maker(cells_.tree());
-    std::vector<int32_t> border;
-    std::vector<std::array<int32_t, 3>> made;
+// Corners of cells inside, and room for the triangles of those with other places on their border than before.
+void DomainMesher::look_at_cells() {
     const auto &all = cells_.tree().cells();
+    states_.reserve(all.size());
     states_.resize(all.size());
-    triangles_.reserve(2 * all.size() + all.size() / 4);
+    size_t more = 0;
     for (size_t i = 0; i < all.size(); ++i) {
         CellState &state = states_[i];
         if (all[i].side != Side::inside) {
@@ -111,6 +109,24 @@ void DomainMesher::make_cells() {
             state.corners = cells_.table().corners(all[i]);
         }
         const int32_t count = cells_.table().border_count(state.corners);
+        more += state.places == count ? 0 : static_cast<size_t>(count) - 2;
+    }
+    triangles_.make_room(more);
+}
+
+// Cells with as many places on their border as before have the triangles that they had.
+void DomainMesher::make_cells() {
+    look_at_cells();
+    CellTriangles maker(cells_.tree());
+    std::vector<int32_t> border;
+    std::vector<std::array<int32_t, 3>> made;
+    const auto &all = cells_.tree().cells();
+    for (size_t i = 0; i < all.size(); ++i) {
+        CellState &state = states_[i];
+        if (state.corners[0] < 0) {
+            continue;
+        }
+        const int32_t count = cells_.table().border_count(state.corners);
         if (state.places == count) {
             continue;
         }
@@ -119,7 +135,7 @@ void DomainMesher::make_cells() {
         made.clear();
         maker.make(cells_.table(), all[i], border, made);
         state.places = count;
-        state.triangles = {triangles_.size(), made.size()};
+        state.triangles = {static_cast<int32_t>(triangles_.size()), static_cast<int32_t>(made.size())};
         for (const auto &places : made) {
             const SiteTriangle triangle{
                 {sites_.of_place(places[0]), sites_.of_place(places[1]), sites_.of_place(places[2])},
@@ -168,9 +184,12 @@ bool DomainMesher::is_border(const Site &site) const noexcept {
 
 MeshTriangle DomainMesher::mesh_triangle(const SiteTriangle &triangle) const noexcept {
     MeshTriangle result{points_of(triangle)};
+    std::array<bool, 3> at_end{}; // corners
     for (size_t k = 0; k < 3; ++k) {
-        result.border[k] = triangle.border[k] >= 0 || (is_border(sites_[triangle.sites[(k + 1) % 3]]) &&
-                                                       is_border(sites_[triangle.sites[(k + 2) % 3]]));
+        at_end[k] = is_border(sites_[triangle.sites[k]]);
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        result.border[k] = triangle.border[k] >= 0 || (at_end[(k + 1) % 3] && at_end[(k + 2) % 3]);
     }
     return result;
 }

@@ -29,6 +29,7 @@ private:
     [[nodiscard]] CellRule cell_rule() const;
     void coarsen(double factor) noexcept;
     [[nodiscard]] Side side_of(const Rectangle &part) const;
+    void look_at_cells();
     void make_cells();
     void make_strip();
     [[nodiscard]] double rounding(double least_weight) const noexcept;
@@ -83,6 +84,8 @@ private:
     bool divide_far(AngleRefinement &refinement);
     [[nodiscard]] bool is_whole() const;
     [[nodiscard]] std::vector<std::array<int32_t, 3>> all_points() const;
+    [[nodiscard]] bool judge(DomainMesh &result) const;
+    bool add_triangles(DomainMesh &result) const;
     [[nodiscard]] DomainMesh output();
 
     const MeshDomain &domain_;

@@ -42,8 +42,9 @@ bool DomainMesher::is_whole() const {
 bool DomainMesher::is_pair(size_t triangle) const noexcept {
     const int32_t cell = triangles_[triangle].cell;
     const CellState none, &state = cell < 0 ? none : states_[static_cast<size_t>(cell)];
-    return state.places == 4 && state.triangles.count == 2 && state.triangles.first == triangle &&
-           !is_at_point(triangles_[triangle]) && !is_at_point(triangles_[triangle + 1]);
+    return state.places == 4 && state.triangles.count == 2 &&
+           state.triangles.first == static_cast<int32_t>(triangle) && !is_at_point(triangles_[triangle]) &&
+           !is_at_point(triangles_[triangle + 1]);
 }
 
 std::vector<std::array<int32_t, 3>> DomainMesher::all_points() const {
@@ -56,9 +57,26 @@ std::vector<std::array<int32_t, 3>> DomainMesher::all_points() const {
     return all;
 }
 
-// Without sites and points that no triangle has.
-DomainMesh DomainMesher::output() {
-    DomainMesh result;
+// What is told of all triangles. Returns whether none is over what they are made for.
+bool DomainMesher::judge(DomainMesh &result) const {
+    bool over = false;
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        if (!triangles_.has(i)) {
+            continue;
+        }
+        const Distances d = distances(i);
+        result.from_shape = std::max(result.from_shape, d.from_shape);
+        result.from_mesh = std::max(result.from_mesh, d.from_mesh);
+        over = over || is_over(i);
+        if (!is_at_point(triangles_[i])) {
+            result.paired.push_back(is_pair(i));
+        }
+    }
+    return !over;
+}
+
+// Without sites and points that no triangle has, and without triangles that have two corners at a point. Returns whether there are such.
+bool DomainMesher::add_triangles(DomainMesh &result) const {
     std::vector<int32_t> sites(sites_.all().size(), -1),
         points(static_cast<size_t>(sites_.point_count()), -1);
     const auto vertex = [&](int32_t site) {
@@ -78,30 +96,35 @@ DomainMesh DomainMesher::output() {
         }
         return own;
     };
+    result.points.reserve(static_cast<size_t>(sites_.point_count() - sites_.first_point()));
     result.vertices.reserve(sites_.all().size());
-    result.triangles.reserve(triangles_.size());
-    bool over = false, drops = false;
+    result.triangles.reserve(result.paired.size());
+    bool drops = false;
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (!triangles_.has(i)) {
             continue;
         }
-        const Distances d = distances(i);
-        result.from_shape = std::max(result.from_shape, d.from_shape);
-        result.from_mesh = std::max(result.from_mesh, d.from_mesh);
-        over = over || is_over(i);
-        if (is_at_point(triangles_[i])) {
+        const SiteTriangle triangle = triangles_[i];
+        if (is_at_point(triangle)) {
             drops = true;
             continue;
         }
-        const SiteTriangle triangle = triangles_[i];
         const auto &s = triangle.sites;
-        result.paired.push_back(is_pair(i));
         result.triangles.push_back({vertex(s[0]), vertex(s[1]), vertex(s[2])});
     }
+    return drops;
+}
+
+DomainMesh DomainMesher::output() {
+    DomainMesh result;
+    const bool good = judge(result);
+    states_ = {}; // what follows takes as much memory
+    cells_.clear();
+    const bool drops = add_triangles(result);
     const bool whole = crossed_.empty() && !result.triangles.empty() &&
                        (!drops || have_all_dropped(all_points())) && is_whole();
     const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
-    result.reached = whole && !over && as_asked && !has_small_angles_;
+    result.reached = whole && good && as_asked && !has_small_angles_;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
     result.united = united_;
     result.touched = touched_;

@@ -51,14 +51,13 @@ void PartProof::gather(std::span<const int32_t> wanted) {
     }
 }
 
-// Of those marked.
-void PartProof::bound(Effort effort, std::span<const char> which) {
+void PartProof::bound() {
+    bounds_.resize(triangles_.size());
+    overs_.resize(triangles_.size());
     for (size_t i = 0; i < triangles_.size(); ++i) {
-        if (which[i] != 0) {
-            const ProvenTriangle proven = proof_.of(triangle_of_(static_cast<size_t>(triangles_[i])), effort);
-            bounds_[i] = proven.bound;
-            overs_[i] = proven.over;
-        }
+        const ProvenTriangle proven = proof_.of(triangle_of_(static_cast<size_t>(triangles_[i])));
+        bounds_[i] = proven.bound;
+        overs_[i] = proven.over;
     }
 }
 
@@ -74,55 +73,22 @@ void PartProof::set_overs() {
     }
 }
 
-// Some of those here; where it is less than there was.
-void PartProof::settle(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
-    MeshBound mesh(points_.size(), meshed_, bounds_, wanted);
-    for (const int32_t triangle : wanted) {
-        const auto i = static_cast<size_t>(triangle);
+void PartProof::prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
+    gather(wanted);
+    bound();
+    set_overs();
+    std::vector<int32_t> own(wanted.size()); // the first ones here
+    std::iota(own.begin(), own.end(), 0);
+    MeshBound mesh(points_.size(), meshed_, bounds_, own);
+    out.resize(wanted.size());
+    for (size_t i = 0; i < wanted.size(); ++i) {
         double over = 0;
         for (const int32_t point : meshed_[i].points) {
             over = std::max(over, point_overs_[static_cast<size_t>(point)]);
         }
         const Distances all = mesh.distances(i, enough - over);
-        Distances &best = out[i];
-        best.from_shape =
-            std::min({best.from_shape, bounds_[i].from_shape() + overs_[i], all.from_shape + over});
-        best.from_mesh = std::min({best.from_mesh, bounds_[i].from_mesh() + overs_[i], all.from_mesh + over});
-    }
-}
-
-std::vector<char> PartProof::stars_of(std::span<const int32_t> some) const {
-    std::vector<char> at(points_.size()), result(triangles_.size());
-    for (const int32_t triangle : some) {
-        for (const int32_t point : meshed_[static_cast<size_t>(triangle)].points) {
-            at[static_cast<size_t>(point)] = 1;
-        }
-    }
-    for (size_t i = 0; i < result.size(); ++i) {
-        const auto is_at = [&](int32_t point) { return at[static_cast<size_t>(point)] != 0; };
-        result[i] = std::ranges::any_of(meshed_[i].points, is_at) ? 1 : 0;
-    }
-    return result;
-}
-
-void PartProof::prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
-    gather(wanted);
-    bounds_.resize(triangles_.size());
-    overs_.resize(triangles_.size());
-    out.assign(wanted.size(), {infinity, infinity});
-    std::vector<int32_t> open(wanted.size());
-    std::iota(open.begin(), open.end(), 0);
-    if (enough > 0 && coarse_pays_) {
-        bound(Effort::coarse, std::vector<char>(triangles_.size(), 1));
-        set_overs();
-        settle(open, enough, out);
-        std::erase_if(open, [&](int32_t i) { return out[static_cast<size_t>(i)].most() <= enough; });
-        coarse_pays_ = 2 * open.size() <= wanted.size();
-    }
-    if (!open.empty()) {
-        bound(Effort::full, stars_of(open));
-        set_overs();
-        settle(open, enough, out);
+        out[i] = {std::min(bounds_[i].from_shape() + overs_[i], all.from_shape + over),
+                  std::min(bounds_[i].from_mesh() + overs_[i], all.from_mesh + over)};
     }
 }
 

@@ -11,8 +11,7 @@
 
 namespace nrb::mesh {
 
-// Goes on with the working memory of the parts before. Bounds of single triangles are coarse ones at first, and better ones where these are
-// not enough.
+// Goes on with the working memory of the parts before.
 class PartProof {
 public:
     using TriangleOf = std::function<SiteTriangle(size_t)>;
@@ -28,15 +27,12 @@ private:
     void gather(std::span<const int32_t> wanted);
     void add_triangle(int32_t triangle);
     void set_overs();
-    void bound(Effort effort, std::span<const char> which);
-    void settle(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out);
-    [[nodiscard]] std::vector<char> stars_of(std::span<const int32_t> some) const;
+    void bound();
 
     TriangleProof &proof_;
     std::span<const MeshTriangle> all_;
     PointFans fans_;
     TriangleOf triangle_of_;
-    bool coarse_pays_ = true;                         // coarse bounds were enough for half of the last part
     std::vector<int32_t> own_points_, own_triangles_; // their numbers here; -1: not here
     // Here.
     std::vector<int32_t> points_, triangles_; // their numbers in the mesh

@@ -25,6 +25,14 @@ Sites::Sites(const MeshDomain &domain, const CellGrid &cells)
         border_points_.try_emplace(point.param, point.point);
     }
     set_border_points();
+    make_room();
+}
+
+// All places are sites where all of the domain is inside.
+void Sites::make_room() {
+    if (!domain_.inside) {
+        sites_.reserve(place_sites_.size());
+    }
 }
 
 void Sites::set_point(int32_t place, int32_t point) {
@@ -60,6 +68,7 @@ void Sites::renumber(const std::vector<int32_t> &places) {
     place_sites_ = std::move(sites);
     place_points_ = std::move(points);
     set_border_points();
+    make_room();
 }
 
 int32_t Sites::of_place(int32_t place) {
@@ -116,11 +125,14 @@ int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int3
 
 void Sites::evaluate() {
     const size_t known = positions_.size();
-    positions_.resize(sites_.size());
-    normals_.resize(sites_.size());
+    for (std::vector<Vector3> *all : {&positions_, &normals_}) {
+        all->reserve(sites_.size());
+        all->resize(sites_.size());
+    }
     for (size_t first = known; first < sites_.size(); first += most_at_once) {
         evaluate(first, std::min(first + most_at_once, sites_.size()));
     }
+    point_sites_.reserve(static_cast<size_t>(next_point_ - first_point_));
     point_sites_.resize(static_cast<size_t>(next_point_ - first_point_), -1);
     for (size_t i = known; i < sites_.size(); ++i) {
         if (sites_[i].point >= first_point_) {

@@ -50,6 +50,7 @@ public:
 
 private:
     void set_border_points();
+    void make_room();
     void set_point(int32_t place, int32_t point);
     [[nodiscard]] std::array<double, 2> before_seams(std::array<double, 2> param) const noexcept;
     void evaluate(size_t first, size_t last);

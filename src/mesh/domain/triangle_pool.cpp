@@ -13,8 +13,8 @@ namespace {
 
 // Multiply-adds of a triangle, estimated.
 constexpr int64_t work_of_triangle = 1000;
-// Triangles whose bounds are in memory at once; the first few show how good these have to be.
-constexpr size_t triangles_of_a_part = 4096, first_triangles = 256;
+// Triangles whose bounds are in memory at once.
+constexpr size_t triangles_of_a_part = 4096;
 // Of fewer, distances are told as small as they can be: that takes next to no time.
 constexpr size_t least_to_hurry = 1024;
 
@@ -26,9 +26,9 @@ float rounded_up(double x) noexcept {
 
 } // namespace
 
-void TrianglePool::reserve(size_t count) {
-    sites_.reserve(count);
-    meshed_.reserve(count);
+void TrianglePool::make_room(size_t count) {
+    sites_.reserve(sites_.size() + count);
+    meshed_.reserve(meshed_.size() + count);
 }
 
 SiteTriangle TrianglePool::operator[](size_t i) const noexcept {
@@ -60,7 +60,8 @@ void TrianglePool::add(const SiteTriangle &triangle, const MeshTriangle &meshed)
 }
 
 void TrianglePool::remove(const Range &range) {
-    for (size_t i = range.first; i < range.first + range.count; ++i) {
+    const auto first = static_cast<size_t>(range.first);
+    for (size_t i = first; i < first + static_cast<size_t>(range.count); ++i) {
         touch(i);
         sites_[i].sites[0] = -1;
         meshed_[i] = {};
@@ -91,13 +92,14 @@ std::vector<int32_t> TrianglePool::beside_touched(size_t points) {
 
 void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
     const std::vector<int32_t> wanted = beside_touched(points);
+    distances_.reserve(sites_.size());
     distances_.resize(sites_.size());
     PartProof parts(proof, points, meshed_, wanted, [this](size_t i) { return (*this)[i]; });
     std::vector<Distances> found;
+    // The last ones first: of their cells boxes are kept.
     for (auto rest = std::span(std::as_const(wanted)); !rest.empty();) {
-        const size_t most = rest.size() == wanted.size() ? first_triangles : triangles_of_a_part;
-        const auto part = rest.first(std::min(most, rest.size()));
-        rest = rest.subspan(part.size());
+        const auto part = rest.last(std::min(triangles_of_a_part, rest.size()));
+        rest = rest.first(rest.size() - part.size());
         parts.prove(part, wanted.size() < least_to_hurry ? 0 : enough, found);
         for (size_t i = 0; i < part.size(); ++i) {
             distances_[static_cast<size_t>(part[i])] = {rounded_up(found[i].from_shape),

@@ -15,10 +15,11 @@ namespace nrb::mesh {
 class TrianglePool {
 public:
     struct Range {
-        size_t first = 0, count = 0;
+        int32_t first = 0, count = 0;
     };
 
-    void reserve(size_t count);
+    // For so many more.
+    void make_room(size_t count);
     // Those of cells, which can be removed later.
     void add(const SiteTriangle &triangle, const MeshTriangle &meshed);
     void remove(const Range &range);

@@ -82,9 +82,9 @@ size_t TriangleProof::Hash::operator()(const Key &key) const noexcept {
     return hash;
 }
 
-ProvenTriangle TriangleProof::of(const SiteTriangle &triangle, Effort effort) {
+ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
     if (triangle.cell >= 0) {
-        return in_cell(triangle, effort);
+        return in_cell(triangle);
     }
     const auto &s = triangle.sites, &b = triangle.border;
     const auto [known, fresh] = known_.try_emplace({s[0], s[1], s[2], b[0], b[1], b[2]});
@@ -98,13 +98,15 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
     Placed result;
     for (size_t k = 0; k < 3; ++k) {
         const int32_t site = triangle.sites[k];
-        const Vector3 &x = sites_.point(sites_[site].point);
+        const Vector3 &x = sites_.point(sites_[site].point), &own = sites_.position(site);
         const std::array<double, 3> given{x.x, x.y, x.z};
         std::array<double, 4> in_grid{};
         grid_.place(given.data(), in_grid.data());
         TriangleCorner &corner = result.corners[k];
         corner = {sites_[site].param, {in_grid[0], in_grid[1], domain_.surface->dim() == 3 ? in_grid[2] : 0}};
-        result.moved = std::max(result.moved, grid_.scaled(length(x - sites_.position(site))));
+        if (&x != &own) { // else it is where it is evaluated
+            result.moved = std::max(result.moved, grid_.scaled(length(x - own)));
+        }
         for (size_t axis = 0; axis < 2; ++axis) {
             const double t = corner.param[axis];
             result.part.lower[axis] = k == 0 ? t : std::min(result.part.lower[axis], t);
@@ -114,12 +116,12 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
     return result;
 }
 
-ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle, Effort effort) {
+ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
     const Placed place = placed(triangle);
     const Cell &cell = cells_.tree().cells()[static_cast<size_t>(triangle.cell)];
     const CellPart here{&cells_.tree().box(triangle.cell), cells_.tree().rectangle(cell)};
-    TriangleBound bound = triangle_bound(place.corners, {&here, 1}, effort);
-    if (effort == Effort::full && !(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
+    TriangleBound bound = triangle_bound(place.corners, {&here, 1});
+    if (!(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
         const PieceRange pieces = nets_.pieces_in(place.part);
         if (pieces.count() > 1 && pieces.count() <= most_pieces) {
             take_better(by_pieces_.bound(place.corners, pieces, cells_.tree().block(cell.block)), bound);

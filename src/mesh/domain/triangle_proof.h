@@ -29,7 +29,7 @@ public:
     TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites, double chord);
 
     // Bounds of the strip are kept: most triangles stay from one round to the next. In units of the grid.
-    [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle, Effort effort);
+    [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle);
 
 private:
     using Key = std::array<int32_t, 6>;
@@ -43,7 +43,7 @@ private:
         double moved = 0; // the most of its corners
     };
     [[nodiscard]] Placed placed(const SiteTriangle &triangle) const;
-    [[nodiscard]] ProvenTriangle in_cell(const SiteTriangle &triangle, Effort effort);
+    [[nodiscard]] ProvenTriangle in_cell(const SiteTriangle &triangle);
     [[nodiscard]] ProvenTriangle in_strip(const SiteTriangle &triangle);
     [[nodiscard]] TriangleBound over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
                                            double &over) const;

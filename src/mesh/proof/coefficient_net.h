@@ -21,16 +21,22 @@ struct CoefficientNet {
     void set(int i, int j, const Four &x) const noexcept { x.store(row(i, j)); }
 };
 
-// Of second order, along two axes, which may be one. Precondition: out.rows has room.
-void second_differences(const CoefficientNet &net, int first, int second, CoefficientNet &out) noexcept;
+// Along an axis. Precondition: out.rows has room.
+void differences(const CoefficientNet &net, int axis, CoefficientNet &out) noexcept;
 
-// Times a factor, with an error of each coefficient before. The plane is that through the means of the corners; a plane has the
-// coefficients of its values at the places of control points, so that what coefficients differ from it bounds what the function does.
-CoordinateRanges ranges_of(const CoefficientNet &net, double factor, double error, bool planes) noexcept;
+// Differences of a net along an axis, times a factor, with an error of each of them before, of every coordinate. The plane is that through
+// the means of the corners; a plane has the coefficients of its values at the places of control points, so that what coefficients differ
+// from it bounds what the function does.
+std::array<Range, 4> ranges_of_differences(const CoefficientNet &net, int axis, double factor, double error,
+                                           bool planes) noexcept;
 
-// As of a Range, of all coordinates.
-inline Four most(const CoordinateRanges &ranges) noexcept {
-    return abs(Four(ranges.middle)) + (abs(Four(ranges.u)) + abs(Four(ranges.v))) * 0.5 + Four(ranges.radius);
+// The four numbers side by side.
+inline Four four_of(const Range &range) noexcept {
+    return {range.middle, range.u, range.v, range.radius};
+}
+
+inline Range range_of(const Four &x) noexcept {
+    return {x[0], x[1], x[2], x[3]};
 }
 
 } // namespace nrb::mesh

@@ -51,6 +51,14 @@ inline Four greatest(const Four &a, const Four &b) noexcept {
     return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
 }
 
+inline std::array<Four, 4> transposed(const std::array<Four, 4> &x) noexcept {
+    const auto &[a, b, c, d] = x;
+    return {Four(Pair{a.low[0], b.low[0]}, Pair{c.low[0], d.low[0]}),
+            Four(Pair{a.low[1], b.low[1]}, Pair{c.low[1], d.low[1]}),
+            Four(Pair{a.high[0], b.high[0]}, Pair{c.high[0], d.high[0]}),
+            Four(Pair{a.high[1], b.high[1]}, Pair{c.high[1], d.high[1]})};
+}
+
 // Without the bits of the signs.
 inline Four abs(const Four &a) noexcept {
     using Bits = int64_t __attribute__((vector_size(16)));

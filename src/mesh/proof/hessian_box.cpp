@@ -10,14 +10,23 @@ namespace nrb::mesh {
 
 namespace {
 
-using Ranges = CoordinateRanges;
+// Takes coefficients (x, y, z, w) to an origin and axes.
+class Axes {
+public:
+    Axes(const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept
+        : origin_(origin), x_(axes[0].x, axes[1].x, axes[2].x, 0), y_(axes[0].y, axes[1].y, axes[2].y, 0),
+          z_(axes[0].z, axes[1].z, axes[2].z, 0) {}
 
-// The products of a coefficient row with the axes, about the origin.
-Four in_axes(const double *row, const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept {
-    const double w = row[3];
-    const Vector3 a{row[0] - w * origin.x, row[1] - w * origin.y, row[2] - w * origin.z};
-    return {dot(axes[0], a), dot(axes[1], a), dot(axes[2], a), w};
-}
+    [[nodiscard]] Four of(const double *row) const noexcept {
+        const double w = row[3];
+        return x_ * (row[0] - w * origin_.x) + y_ * (row[1] - w * origin_.y) + z_ * (row[2] - w * origin_.z) +
+               Four(0, 0, 0, w);
+    }
+
+private:
+    Vector3 origin_;
+    Four x_, y_, z_;
+};
 
 Range constant(const Range &range) noexcept {
     return {range.middle, 0, 0, range.width() * (1 + 4 * eps)};
@@ -27,14 +36,6 @@ void add_constant(const Range &other, Range &range) noexcept {
     const double low = std::min(range.middle - range.radius, other.middle - other.radius),
                  high = std::max(range.middle + range.radius, other.middle + other.radius);
     range = {(low + high) / 2, 0, 0, (high - low) / 2 + 4 * eps * std::max(std::abs(low), std::abs(high))};
-}
-
-void add_constants(const Ranges &others, Ranges &ranges) noexcept {
-    for (size_t c = 0; c < HessianBox::coordinates; ++c) {
-        Range range = ranges[c];
-        add_constant(others[c], range);
-        ranges.set(c, range);
-    }
 }
 
 } // namespace
@@ -60,52 +61,74 @@ Hessian Hessian::in_units(double u, double v) const noexcept {
 HessianBox::HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes,
                        const std::array<const double *, 4> &corners) noexcept
     : origin_(origin), axes_(axes) {
-    const Four a = in_axes(corners[0], origin, axes), b = in_axes(corners[1], origin, axes),
-               c = in_axes(corners[2], origin, axes), d = in_axes(corners[3], origin, axes);
-    for (size_t k = 0; k < coordinates; ++k) {
-        first_[0][k] = ((b[k] - a[k]) + (c[k] - d[k])) / 2;
-        first_[1][k] = ((d[k] - a[k]) + (c[k] - b[k])) / 2;
-    }
+    const Axes own(origin, axes);
+    const Four a = own.of(corners[0]), b = own.of(corners[1]), c = own.of(corners[2]), d = own.of(corners[3]);
+    (((b - a) + (c - d)) * 0.5).store(first_[0].data());
+    (((d - a) + (c - b)) * 0.5).store(first_[1].data());
     corner_weight_ = (a[3] + b[3] + c[3] + d[3]) / 4;
     for (const Four &x : {a, b, c, d}) {
-        reach_ = std::max(reach_, std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
+        reach_ = std::max(reach_, square3(x));
     }
+    reach_ = std::sqrt(reach_);
 }
 
 // Of second derivatives: an error of a coefficient counts four times.
 void HessianBox::add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
-                     double noise) {
-    const bool whole = factors[0] == 1 && factors[1] == 1, fresh = largest_weight_ < least_weight_;
+                     double noise, bool steps) {
+    const bool fresh = largest_weight_ < least_weight_;
     const int m = u_degree + 1, n = v_degree + 1;
     const auto size = static_cast<size_t>(m * n) * coordinates;
-    Scratch scratch(2 * size);
-    CoefficientNet rows{m, n, scratch.take(size)}, second{0, 0, scratch.take(size)};
+    Scratch scratch(3 * size);
+    CoefficientNet rows{m, n, scratch.take(size)};
+    std::array<CoefficientNet, 2> first{{{0, 0, scratch.take(size)}, {0, 0, scratch.take(size)}}};
+    const Axes axes(origin_, axes_);
     for (size_t i = 0; i < size; i += coordinates, net += coordinates) {
-        in_axes(net, origin_, axes_).store(rows.rows + i);
+        axes.of(net).store(rows.rows + i);
         least_weight_ = std::min(least_weight_, net[3]);
         largest_weight_ = std::max(largest_weight_, net[3]);
     }
-    const double p = u_degree, q = v_degree, fu = factors[0], fv = factors[1];
     noise_ = std::max(noise_, noise * largest_weight_);
-    const double error = 4 * noise_;
-    second_differences(rows, 0, 0, second);
-    const Ranges uu = ranges_of(second, p * (p - 1) * fu * fu, error, whole);
-    second_differences(rows, 0, 1, second);
-    const Ranges uv = ranges_of(second, p * q * fu * fv, error, whole);
-    second_differences(rows, 1, 1, second);
-    const Ranges vv = ranges_of(second, q * (q - 1) * fv * fv, error, whole);
+    differences(rows, 0, first[0]);
+    differences(rows, 1, first[1]);
+    const std::array<double, 2> degrees{static_cast<double>(u_degree), static_cast<double>(v_degree)};
+    add_second(first, degrees, factors, fresh);
     if (fresh) {
-        uu_ = uu;
-        uv_ = uv;
-        vv_ = vv;
-        by_coefficients_ = is_coarse();
-    } else {
-        add_constants(uu, uu_);
-        add_constants(uv, uv_);
-        add_constants(vv, vv_);
+        by_coefficients_ = steps && is_coarse();
     }
     if (by_coefficients_) {
-        add_first(rows, {p * fu, q * fv});
+        add_first(first, {degrees[0] * factors[0], degrees[1] * factors[1]});
+        add_reach(rows);
+    }
+}
+
+void HessianBox::add_second(const std::array<CoefficientNet, 2> &first, const std::array<double, 2> &degrees,
+                            const std::array<double, 2> &factors, bool fresh) noexcept {
+    const auto [p, q] = degrees;
+    const auto [fu, fv] = factors;
+    const bool whole = fu == 1 && fv == 1;
+    const double error = 4 * noise_;
+    const auto uu = ranges_of_differences(first[0], 0, p * (p - 1) * fu * fu, error, whole),
+               uv = ranges_of_differences(first[0], 1, p * q * fu * fv, error, whole),
+               vv = ranges_of_differences(first[1], 1, q * (q - 1) * fv * fv, error, whole);
+    for (size_t c = 0; c < coordinates; ++c) {
+        Hessian &own = of_[c];
+        if (fresh) {
+            own = {uu[c], uv[c], vv[c]};
+        } else {
+            own.add({uu[c], uv[c], vv[c]});
+        }
+    }
+    set_sizes();
+}
+
+void HessianBox::set_sizes() noexcept {
+    constexpr std::array<Range Hessian::*, 3> parts{&Hessian::uu, &Hessian::uv, &Hessian::vv};
+    for (size_t k = 0; k < 3; ++k) {
+        const auto most = [&](size_t c) { return (of_[c].*parts[k]).most(); };
+        const double x = most(0), y = most(1), z = most(2);
+        weights_[k] = most(3);
+        sums_[k] = x + y + z + weights_[k];
+        sizes_[k] = std::sqrt(x * x + y * y + z * z) * (1 + 8 * eps);
     }
 }
 
@@ -114,71 +137,87 @@ bool HessianBox::is_coarse() const noexcept {
     double first = 0, second = 0;
     for (size_t c = 0; c < 3; ++c) {
         first = std::max({first, std::abs(first_[0][c]), std::abs(first_[1][c])});
-        second = std::max({second, uu_[c].most(), uv_[c].most(), vv_[c].most()});
+        second = std::max({second, of_[c].uu.most(), of_[c].uv.most(), of_[c].vv.most()});
     }
     return second > 0.1 * first;
 }
 
-void HessianBox::add_first(const CoefficientNet &net, const std::array<double, 2> &factors) noexcept {
+void HessianBox::add_reach(const CoefficientNet &net) noexcept {
     double reach = 0; // squares
     for (int i = 0; i < net.u * net.v; ++i) {
         reach = std::max(reach, square3(Four(net.rows + 4 * i)));
     }
     coefficient_reach_ = std::max(coefficient_reach_, std::sqrt(reach) * (1 + 4 * eps) + 4 * noise_);
+}
+
+// factors: what differences of coefficients are multiplied by.
+void HessianBox::add_first(const std::array<CoefficientNet, 2> &first,
+                           const std::array<double, 2> &factors) noexcept {
     for (const size_t k : {size_t{0}, size_t{1}}) {
         const Four mean(first_[k]);
-        const int step = net.step(static_cast<int>(k)), u = net.u - (k == 0 ? 1 : 0),
-                  v = net.v - (k == 0 ? 0 : 1);
-        double radius = 0, weight = 0;
-        for (int i = 0; i < u; ++i) {
-            for (int j = 0; j < v; ++j) {
-                const double *x = net.row(i, j);
-                const Four first = (Four(x + step) - Four(x)) * factors[k];
-                radius = std::max(radius, square3(first - mean));
-                weight = std::max(weight, std::abs(first[3]));
-            }
+        Four most;
+        double radius = 0;
+        for (int i = 0; i < first[k].u * first[k].v; ++i) {
+            const Four own = Four(first[k].rows + 4 * i) * factors[k];
+            radius = std::max(radius, square3(own - mean));
+            most = greatest(most, abs(own));
         }
         const double noise = 4 * noise_ * factors[k];
         first_radius_[k] = std::max(first_radius_[k], std::sqrt(radius) * (1 + 4 * eps) + noise);
-        first_weight_[k] = std::max(first_weight_[k], weight + noise);
+        first_weight_[k] = std::max(first_weight_[k], most[3] + noise);
     }
 }
 
-// d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps.
+// d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps, and what follows takes some eps more.
 Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
-    const Four factors(dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2]), dot(d, origin_ - p));
-    const Four sizes = abs(factors), at_least_one = greatest(sizes, Four(1));
-    const auto sum = [&](const Ranges &ranges) {
-        const double all = (at_least_one * most(ranges)).sum();
-        return Range{(factors * Four(ranges.middle)).sum(), (factors * Four(ranges.u)).sum(),
-                     (factors * Four(ranges.v)).sum(), (sizes * Four(ranges.radius)).sum() + 16 * eps * all};
-    };
-    return {sum(uu_), sum(uv_), sum(vv_)};
+    const std::array<double, coordinates> factors{dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2]),
+                                                  dot(d, origin_ - p)};
+    Four uu, uv, vv;
+    for (size_t c = 0; c < coordinates; ++c) {
+        const double f = factors[c];
+        const Four all(f, f, f, std::abs(f));
+        uu = uu + four_of(of_[c].uu) * all;
+        uv = uv + four_of(of_[c].uv) * all;
+        vv = vv + four_of(of_[c].vv) * all;
+    }
+    const double noise = 32 * eps * std::max(1.0, std::abs(factors[3]));
+    return {range_of(uu + Four(0, 0, 0, noise * sums_[0])), range_of(uv + Four(0, 0, 0, noise * sums_[1])),
+            range_of(vv + Four(0, 0, 0, noise * sums_[2]))};
 }
 
-Hessian HessianBox::size(const Vector3 &p, double distance) const noexcept {
+// Coordinates side by side.
+Hessian HessianBox::size(const Vector3 &p) const noexcept {
     const Vector3 off = origin_ - p;
     const Four moved(dot(axes_[0], off), dot(axes_[1], off), dot(axes_[2], off), 0);
     const double noise = 16 * eps * length(off);
-    const auto radius = [&](const Ranges &ranges) {
-        const Four middle = Four(ranges.middle) + moved * ranges.middle[3],
-                   u = Four(ranges.u) + moved * ranges.u[3], v = Four(ranges.v) + moved * ranges.v[3],
-                   rest = Four(ranges.radius) + abs(moved) * ranges.radius[3];
-        const Four all = abs(middle) + (abs(u) + abs(v)) * 0.5 + rest;
-        const double squares = all[0] * all[0] + all[1] * all[1] + all[2] * all[2];
-        return Range{0, 0, 0, (std::sqrt(squares) + (distance + noise) * ranges[3].most()) * (1 + 32 * eps)};
+    const auto radius = [&](Range Hessian::*part, double most_of_weight) {
+        const Range &w = of_[3].*part;
+        const auto [middle, u, v, rest] =
+            transposed({four_of(of_[0].*part), four_of(of_[1].*part), four_of(of_[2].*part), four_of(w)});
+        const Four all = abs(middle + moved * w.middle) +
+                         (abs(u + moved * w.u) + abs(v + moved * w.v)) * 0.5 + rest + abs(moved) * w.radius;
+        return Range{0, 0, 0, (std::sqrt(square3(all)) + noise * most_of_weight) * (1 + 32 * eps)};
     };
-    return {radius(uu_), radius(uv_), radius(vv_)};
+    return {radius(&Hessian::uu, weights_[0]), radius(&Hessian::uv, weights_[1]),
+            radius(&Hessian::vv, weights_[2])};
+}
+
+Hessian HessianBox::sizes(const Vector3 &p, double distance) const noexcept {
+    const double far = distance + length(origin_ - p);
+    const auto radius = [&](size_t k) {
+        return Range{0, 0, 0, (sizes_[k] + far * weights_[k]) * (1 + 16 * eps)};
+    };
+    return {radius(0), radius(1), radius(2)};
 }
 
 // What constant second derivatives make of a first one differs from its mean by a half of each at most. What these differ from constants
 // adds what it may do on the way from the middle, and to the mean: a quarter more along the axis, and a half across. That of a function from
 // the bilinear one of its corners is an eighth of the second ones along both axes.
 HessianBox::First HessianBox::first(size_t k) const noexcept {
-    const Ranges &along = k == 0 ? uu_ : vv_;
     const auto differs = [&](size_t c) {
-        return (std::abs(along.middle[c]) + std::abs(uv_.middle[c])) / 2 + 0.75 * along[c].width() +
-               uv_[c].width() + 8 * noise_;
+        const Range &along = k == 0 ? of_[c].uu : of_[c].vv, &across = of_[c].uv;
+        return (std::abs(along.middle) + std::abs(across.middle)) / 2 + 0.75 * along.width() +
+               across.width() + 8 * noise_;
     };
     First result{{first_[k][0], first_[k][1], first_[k][2]}, first_radius_[k], first_weight_[k]};
     if (by_coefficients_) {
@@ -199,7 +238,7 @@ double HessianBox::reach() const noexcept {
     }
     double squares = 0;
     for (size_t c = 0; c < 3; ++c) {
-        const double over = (uu_[c].most() + vv_[c].most()) / 8 + 4 * noise_;
+        const double over = (of_[c].uu.most() + of_[c].vv.most()) / 8 + 4 * noise_;
         squares += over * over;
     }
     return reach_ + std::sqrt(squares);

@@ -44,19 +44,6 @@ struct Hessian {
     [[nodiscard]] Hessian in_units(double u, double v) const noexcept;
 };
 
-// Of the four coordinates of homogeneous points, side by side for registers that hold several.
-struct CoordinateRanges {
-    std::array<double, 4> middle{}, u{}, v{}, radius{};
-
-    [[nodiscard]] Range operator[](size_t c) const noexcept { return {middle[c], u[c], v[c], radius[c]}; }
-    void set(size_t c, const Range &range) noexcept {
-        middle[c] = range.middle;
-        u[c] = range.u;
-        v[c] = range.v;
-        radius[c] = range.radius;
-    }
-};
-
 struct CoefficientNet;
 
 // The homogeneous coordinates (A - w O, w) of a surface A / w about an origin O, in axes of the cell, along which they differ most in size:
@@ -87,16 +74,17 @@ public:
     }
 
     // A net [u][v] of (x, y, z, w) over a part of the cell, whose sides are those of the cell over these factors, all of it if they are
-    // 1. `noise`: of a coefficient, relative to the largest weight.
+    // 1. `noise`: of a coefficient, relative to the largest weight. `steps`: whether move() is to be as small as can be told.
     void add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
-             double noise);
+             double noise, bool steps = true);
 
-    // Of the function d . (A - w P).
+    // Of the function d . (A - w P), for vectors d no longer than 1.
     [[nodiscard]] Hessian along(const Vector3 &d, const Vector3 &p) const noexcept;
-    // Bounds of the sizes of A - w Q for all points Q in a distance from P: radii about 0.
-    [[nodiscard]] Hessian size(const Vector3 &p, double distance) const noexcept;
+    // Bounds of the size of A - w P, and of the sizes of A - w Q for all points Q in a distance from P: radii about 0.
+    [[nodiscard]] Hessian size(const Vector3 &p) const noexcept;
+    [[nodiscard]] Hessian sizes(const Vector3 &p, double distance) const noexcept;
     // Of coordinate c in the axes of the cell, about its origin.
-    [[nodiscard]] Hessian of(size_t c) const noexcept { return {uu_[c], uv_[c], vv_[c]}; }
+    [[nodiscard]] const Hessian &of(size_t c) const noexcept { return of_[c]; }
 
 private:
     // Of first derivatives: the middle of A' and what there is about it, and the most of w'.
@@ -106,13 +94,19 @@ private:
     };
     [[nodiscard]] First first(size_t k) const noexcept;
     [[nodiscard]] bool is_coarse() const noexcept;
-    void add_first(const CoefficientNet &net, const std::array<double, 2> &factors) noexcept;
+    void add_second(const std::array<CoefficientNet, 2> &first, const std::array<double, 2> &degrees,
+                    const std::array<double, 2> &factors, bool fresh) noexcept;
+    void set_sizes() noexcept;
+    void add_first(const std::array<CoefficientNet, 2> &first, const std::array<double, 2> &factors) noexcept;
+    void add_reach(const CoefficientNet &net) noexcept;
     // The most of |A - w O|.
     [[nodiscard]] double reach() const noexcept;
 
     Vector3 origin_;
     std::array<Vector3, 3> axes_{};
-    CoordinateRanges uu_{}, uv_{}, vv_{};
+    std::array<Hessian, coordinates> of_{};
+    // Of each of the second derivatives the most of all coordinates together, of |A - w O|, and of w.
+    std::array<double, 3> sums_{}, sizes_{}, weights_{};
     double least_weight_ = infinity, largest_weight_ = -infinity;
     std::array<std::array<double, coordinates>, 2> first_{}; // means of first derivatives, by the corners
     double corner_weight_ = 1;                               // the mean

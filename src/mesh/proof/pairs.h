@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/numbers.h"
+#include "mesh/proof/four.h"
 
 #include <algorithm>
 #include <array>
@@ -31,20 +32,15 @@ inline double most_of_pairs(const Values &q) noexcept {
 // (Taylor's formula with the remainder as an integral; g is 0 if H is constant). The sum of all |l_i l_j (l_i - l_j)| is at most 0.118, on a side 0.0963.
 class Bend {
 public:
-    // q[k][m]: H along side k in corner m; rest[k]: what the radius adds along side k, `all`: on the whole triangle.
-    Bend(const std::array<Values, 3> &q, const Values &rest, double all) noexcept : rest_(rest) {
-        double in_ends = 0, opposite = 0, steepest = 0;
-        for (size_t k = 0; k < 3; ++k) {
-            const double a = q[k][(k + 1) % 3], b = q[k][(k + 2) % 3];
-            means_[k] = (a + b) / 2;
-            differences_[k] = std::abs(b - a) / 12;
-            in_ends += a + b;
-            opposite += q[k][k];
-            steepest = std::max(steepest, differences_[k]);
-            largest_[k] = std::max({std::abs(q[k][0]), std::abs(q[k][1]), std::abs(q[k][2])}) + rest[k];
-        }
-        product_ = std::abs(in_ends / 12 - opposite / 6);
-        all_ = 0.118 * steepest + product_ / 27 + all / 8;
+    // q[m][k]: H along side k in corner m; rest[k]: what the radius adds along side k, rest[3]: on the whole triangle.
+    Bend(const std::array<Four, 3> &q, const Four &rest) noexcept
+        : rest_(rest), largest_(greatest(abs(q[0]), greatest(abs(q[1]), abs(q[2]))) + rest) {
+        const Four from(q[1][0], q[2][1], q[0][2], 0), to(q[2][0], q[0][1], q[1][2], 0), both = from + to;
+        means_ = both * 0.5;
+        differences_ = abs(to - from) * (1.0 / 12);
+        product_ = std::abs(both.sum() / 12 - (q[0][0] + q[1][1] + q[2][2]) / 6);
+        all_ = 0.118 * std::max({differences_[0], differences_[1], differences_[2]}) + product_ / 27 +
+               rest[3] / 8;
     }
 
     [[nodiscard]] double above() const noexcept {
@@ -62,7 +58,9 @@ public:
                    ? std::max(-means_[k], 0.0) / 8 + rest_[k] / 8 + 0.0963 * differences_[k]
                    : above();
     }
-    [[nodiscard]] double both() const noexcept { return std::max(most_of_pairs(means_) / 2 + all_, above()); }
+    [[nodiscard]] double both() const noexcept {
+        return std::max(most_of_pairs({means_[0], means_[1], means_[2]}) / 2 + all_, above());
+    }
     [[nodiscard]] double on_side(size_t k) const noexcept {
         return (std::abs(means_[k]) + rest_[k]) / 8 + 0.0963 * differences_[k];
     }
@@ -71,7 +69,7 @@ public:
     [[nodiscard]] double largest(size_t k) const noexcept { return largest_[k]; }
 
 private:
-    Values means_{}, differences_{}, largest_{}, rest_;
+    Four rest_, largest_, means_, differences_; // of sides
     double product_, all_;
 };
 

@@ -16,32 +16,35 @@ constexpr double rounding = 1 + 64 * eps;
 
 class Triangle {
 public:
-    Triangle(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells,
-             Effort effort) noexcept
-        : corners_(corners), cells_(cells), effort_(effort), unit_(cells.front().part.sides()) {
+    Triangle(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells) noexcept
+        : corners_(corners), cells_(cells), unit_(cells.front().part.sides()) {
+        std::array<std::array<double, 4>, 2> steps{}; // lane 3: the most
         for (size_t k = 0; k < 3; ++k) {
             const TriangleCorner &from = corner(k + 1), &to = corner(k + 2);
             sides_[k] = to.point - from.point;
             lengths_[k] = length(sides_[k]);
+            inverse_[k] = 1 / lengths_[k];
             longest_ = std::max(longest_, lengths_[k]);
             for (size_t c = 0; c < 2; ++c) {
                 places_[k][c] = (corners[k].param[c] - cells.front().part.lower[c]) / unit_[c] - 0.5;
-                steps_[k][c] = (to.param[c] - from.param[c]) / unit_[c];
-                reach_[c] = std::max(reach_[c], std::abs(steps_[k][c]));
+                steps[c][k] = steps_[k][c] = (to.param[c] - from.param[c]) / unit_[c];
+                steps[c][3] = std::max(steps[c][3], std::abs(steps[c][k]));
             }
         }
+        const Four u(steps[0]), v(steps[1]);
+        uu_ = u * u;
+        uv_ = u * v * 2;
+        vv_ = v * v;
         for (const CellPart &cell : cells) {
             least_weight_ = std::min(least_weight_, cell.box->least_weight());
             largest_weight_ = std::max(largest_weight_, cell.box->largest_weight());
         }
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-            cosines_[k] = -dot(sides_[i], sides_[j]) / (lengths_[i] * lengths_[j]);
+            cosines_[k] = -dot(sides_[i], sides_[j]) * (inverse_[i] * inverse_[j]);
         }
-        sizes_ = over_cells([&](const HessianBox &box) { return box.size(corners[0].point, longest_); });
-        for (size_t k = 0; k < 3; ++k) {
-            bends_[k] = sizes_.beside(steps_[k][0], steps_[k][1]) * rounding;
-        }
+        bends_ =
+            beside(over_cells([&](const HessianBox &box) { return box.sizes(corners[0].point, longest_); }));
     }
 
     [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
@@ -51,8 +54,11 @@ private:
     [[nodiscard]] const TriangleCorner &corner(size_t k) const noexcept { return corners_[k % 3]; }
     template <class Of>
     [[nodiscard]] Hessian over_cells(Of &&of) const noexcept;
+    // What the radii make of second derivatives along the sides, and along any way in the triangle.
+    [[nodiscard]] Four beside(const Hessian &h) const noexcept {
+        return (uu_ * h.uu.radius + abs(uv_) * h.uv.radius + vv_ * h.vv.radius) * rounding;
+    }
     [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
-    [[nodiscard]] std::array<Bend, 3> bends_across(const Vector3 &normal) const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
     [[nodiscard]] double beside_segment() const noexcept;
     [[nodiscard]] double from_a_side(const TriangleBound &bound) const noexcept;
@@ -62,27 +68,26 @@ private:
     [[nodiscard]] double off(const Vector3 &normal) const noexcept;
     [[nodiscard]] double angle_at(size_t k) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
+    // What comes out over a side, and by what share of the way to the other corner.
     struct Turning {
-        const std::array<Bend, 3> &across;
-        double high; // of heights
-        double area;
+        double out, share, high;
     };
-    [[nodiscard]] double turn(size_t k, size_t m, const Turning &from, const Values &bends) const noexcept;
-    [[nodiscard]] Values bends_about(size_t k) const noexcept;
-    void set_turns(const Turning &from, TriangleBound &result) const noexcept;
+    [[nodiscard]] Turning turning(size_t side, const Bend &across, double high, double area) const noexcept;
+    [[nodiscard]] double turn(size_t k, size_t side, const Turning &over, const Four &bends) const noexcept;
+    [[nodiscard]] Four bends_about(size_t k) const noexcept;
+    void set_turns(const std::array<Turning, 3> &over, TriangleBound &result) const noexcept;
 
     const std::array<TriangleCorner, 3> &corners_;
     std::span<const CellPart> cells_;
-    Effort effort_;
     std::array<double, 2> unit_;
     std::array<Vector3, 3> sides_;
     std::array<std::array<double, 2>, 3> steps_, places_; // in the first cell
-    std::array<double, 2> reach_{};
-    Values lengths_, cosines_; // of the angles
+    Four uu_, uv_, vv_;                                   // of steps; and of the most of them
+    Values lengths_, inverse_, cosines_;                  // of the angles
     double longest_ = 0;
     double least_weight_ = infinity, largest_weight_ = 0;
-    Hessian sizes_; // whatever the direction and the corner
-    Values bends_;  // of these along the sides
+    // The most of second derivatives along the sides, and along any way, whatever the direction and the corner.
+    Four bends_;
 };
 
 // Of several cells as constants.
@@ -101,37 +106,17 @@ Hessian Triangle::over_cells(Of &&of) const noexcept {
 
 Bend Triangle::bend(const Vector3 &d, const Vector3 &p) const noexcept {
     const Hessian h = over_cells([&](const HessianBox &box) { return box.along(d, p); });
-    std::array<Values, 3> q;
-    Values rest;
-    for (size_t m = 0; m < 3; ++m) {
+    const auto at = [&](size_t m) {
         const auto [x, y] = places_[m];
-        const double uu = h.uu.at(x, y), uv = h.uv.at(x, y), vv = h.vv.at(x, y);
-        for (size_t k = 0; k < 3; ++k) {
-            const auto [u, v] = steps_[k];
-            q[k][m] = uu * u * u + 2 * uv * u * v + vv * v * v;
-        }
-        rest[m] = h.beside(steps_[m][0], steps_[m][1]);
-    }
-    return {q, rest, h.beside(reach_[0], reach_[1])};
-}
-
-std::array<Bend, 3> Triangle::bends_across(const Vector3 &normal) const noexcept {
-    if (effort_ == Effort::coarse) {
-        const Bend all({}, bends_, sizes_.beside(reach_[0], reach_[1]) * rounding);
-        return {all, all, all};
-    }
-    const auto across = [&](size_t k) {
-        return bend(cross((1 / lengths_[k]) * sides_[k], normal), corner(k + 1).point);
+        return uu_ * h.uu.at(x, y) + uv_ * h.uv.at(x, y) + vv_ * h.vv.at(x, y);
     };
-    return {across(0), across(1), across(2)};
+    return {{at(0), at(1), at(2)}, beside(h)};
 }
 
 // The whole distance from the point of the triangle at equal parameters, whatever the direction. With N = A - w P and values N_i in the
 // corners it is (N - sum l_i N_i) / w + sum l_i N_i / w_i (w_i / w - 1).
 double Triangle::equal_parameters() const noexcept {
-    return (sizes_.beside(reach_[0], reach_[1]) / 8 / least_weight_ +
-            longest_ * (largest_weight_ / least_weight_ - 1)) *
-           rounding;
+    return (bends_[3] / 8 / least_weight_ + longest_ * (largest_weight_ / least_weight_ - 1)) * rounding;
 }
 
 // Whether the image of side k, projected on it, does not leave it over its ends. N along the side, from one end on, is at least
@@ -141,7 +126,7 @@ bool Triangle::runs_along(size_t k) const noexcept {
     if (bends_[k] <= room) {
         return true;
     }
-    const Vector3 along = (1 / lengths_[k]) * sides_[k];
+    const Vector3 along = inverse_[k] * sides_[k];
     return bend(along, corner(k + 1).point).largest(k) <= room &&
            bend(along, corner(k + 2).point).largest(k) <= room;
 }
@@ -151,14 +136,14 @@ bool Triangle::runs_along(size_t k) const noexcept {
 // the tip is cut off, and what is left is within 1 / cos. With N along that line, outwards, and N <= -t_i w in the other corners,
 // N(x) <= sum l_i (-t_i w + 1/2 (Q_ki + Q_ij)), with the most Q of the second derivative along the sides.
 double Triangle::sharpness() const noexcept {
-    double most = 1;
+    double least = 1; // of squares
     for (size_t k = 0; k < 3; ++k) {
-        const double cosine = cosines_[k], half_sine = (1 - cosine - 8 * eps) / 2, // squares
-            half_cosine = (1 + cosine - 8 * eps) / 2;
+        const double cosine = cosines_[k], half_sine = (1 - cosine - 16 * eps) / 2, // squares
+            half_cosine = (1 + cosine - 16 * eps) / 2;
         const bool cut = half_cosine > half_sine && is_cut(k, half_cosine);
-        most = std::max(most, 1 / std::max(cut ? half_cosine : half_sine, 0.0));
+        least = std::min(least, cut ? half_cosine : half_sine);
     }
-    return std::sqrt(most) * rounding;
+    return rounding / std::sqrt(std::max(least, 0.0));
 }
 
 bool Triangle::is_cut(size_t k, double half_cosine_squared) const noexcept {
@@ -203,7 +188,7 @@ double Triangle::beside_segment() const noexcept {
     const size_t k = lengths_[0] >= lengths_[1]   ? (lengths_[0] >= lengths_[2] ? 0 : 2)
                      : lengths_[1] >= lengths_[2] ? 1
                                                   : 2;
-    const Vector3 along = (1 / lengths_[k]) * sides_[k],
+    const Vector3 along = inverse_[k] * sides_[k],
                   least = std::abs(along.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
     const Vector3 across = unit(cross(along, least)), up = cross(along, across);
     const Vector3 &from = corner(k + 1).point, &to = corner(k + 2).point, &other = corner(k).point;
@@ -225,7 +210,7 @@ double Triangle::angle_at(size_t k) const noexcept {
 // Seen along a direction a off the normal, a cosine of angles changes by sin^2 a at most before sides are shortened.
 double Triangle::sine(size_t k, double area) const noexcept {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    return cosines_[k] < -0.26 ? 1 : area / (lengths_[i] * lengths_[j]) * (1 - 16 * eps);
+    return cosines_[k] < -0.26 ? 1 : area * (inverse_[i] * inverse_[j]) * (1 - 16 * eps);
 }
 
 // About corner P of side PE, with the third corner K of weight l_K, N = d . (A - w P) for d across the side is at most
@@ -233,36 +218,40 @@ double Triangle::sine(size_t k, double area) const noexcept {
 // a direction off the normal, heights h, of which half may count, come on top, at most (1 + p) l_E h / 2. So l_K <= p l_E where that is out,
 // for p = (q / 2 + h / 2) / (w a - r / 2 - h / 2), and there N <= l_E q / 2. Along the side the distance from P is at least
 // l_E (w |PE| - |V''| / 2) less what l_K moves, and heights h, of which half may count, are at most (1 + p) l_E h / 2.
-double Triangle::turn(size_t k, size_t m, const Turning &from, const Values &bends) const noexcept {
-    const size_t side = (k + 1 + m) % 3, opposite = (k + 2 - m) % 3;
-    const Bend &across = from.across[side];
-    const double cosine = -dot(sides_[side], sides_[opposite]) / lengths_[side], h = from.high;
+Triangle::Turning Triangle::turning(size_t side, const Bend &across, double high,
+                                    double area) const noexcept {
     const double out = across.largest(side) / 2;
-    const double in = least_weight_ * from.area / lengths_[side] -
-                      std::max(across.largest(k), across.largest(opposite)) / 2;
-    const double share = (out + h) / (in - h), high = (1 + share) * h;
-    const double along =
-        least_weight_ * lengths_[side] - bends[side] / 2 -
-        share * (largest_weight_ * std::max(-cosine, 0.0) + std::max(bends[k], bends[opposite]) / 2);
-    return in > h && along > high ? (out + high) / (along - high) * rounding : infinity;
+    const double in = least_weight_ * area * inverse_[side] -
+                      std::max(across.largest((side + 1) % 3), across.largest((side + 2) % 3)) / 2;
+    const double share = in > high ? (out + high) / (in - high) : infinity;
+    return {out, share, (1 + share) * high};
+}
+
+double Triangle::turn(size_t k, size_t side, const Turning &over, const Four &bends) const noexcept {
+    const size_t opposite = 3 - k - side;
+    const double along = least_weight_ * lengths_[side] - bends[side] / 2 -
+                         over.share * (largest_weight_ * std::max(-cosines_[k] * lengths_[opposite], 0.0) +
+                                       std::max(bends[k], bends[opposite]) / 2);
+    return over.share < infinity && along > over.high
+               ? (over.out + over.high) / (along - over.high) * rounding
+               : infinity;
 }
 
 // Those of V about the corner only where others are not enough.
-void Triangle::set_turns(const Turning &from, TriangleBound &result) const noexcept {
+void Triangle::set_turns(const std::array<Turning, 3> &over, TriangleBound &result) const noexcept {
     for (size_t k = 0; k < 3; ++k) {
+        const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         auto &turns = result.turns[k];
-        turns = {turn(k, 0, from, bends_), turn(k, 1, from, bends_)};
-        if (effort_ == Effort::full && !(std::max(turns[0], turns[1]) < result.sines[k] / 2)) {
-            const Values bends = bends_about(k);
-            turns = {turn(k, 0, from, bends), turn(k, 1, from, bends)};
+        turns = {turn(k, i, over[i], bends_), turn(k, j, over[j], bends_)};
+        if (!(std::max(turns[0], turns[1]) < result.sines[k] / 2)) {
+            const Four bends = bends_about(k);
+            turns = {turn(k, i, over[i], bends), turn(k, j, over[j], bends)};
         }
     }
 }
 
-Values Triangle::bends_about(size_t k) const noexcept {
-    const Hessian v = over_cells([&](const HessianBox &box) { return box.size(corners_[k].point, 0); });
-    return {v.beside(steps_[0][0], steps_[0][1]), v.beside(steps_[1][0], steps_[1][1]),
-            v.beside(steps_[2][0], steps_[2][1])};
+Four Triangle::bends_about(size_t k) const noexcept {
+    return beside(over_cells([&](const HessianBox &box) { return box.size(corners_[k].point); }));
 }
 
 TriangleBound Triangle::bound() const noexcept {
@@ -281,42 +270,44 @@ TriangleBound Triangle::bound() const noexcept {
     TriangleBound result;
     result.normal = normal;
     result.altitude = area / longest_ * (1 - 16 * eps);
-    result.height = (heights.both() / least_weight_ + flat) * rounding;
-    const std::array<Bend, 3> across = bends_across(normal);
+    const double per_weight = 1 / least_weight_;
+    result.height = (heights.both() * per_weight + flat) * rounding;
+    const double high = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
+    std::array<Turning, 3> over;
     for (size_t k = 0; k < 3; ++k) {
-        const Bend &bend_out = across[k];
+        const Bend across = bend(cross(inverse_[k] * sides_[k], normal), corner(k + 1).point);
+        over[k] = turning(k, across, high, area);
         result.sines[k] = sine(k, area);
         result.angles[k] = angle_at(k);
-        const double below = least_weight_ * area / lengths_[k];
-        result.outs[k] = bend_out.above(k, below / rounding) / least_weight_ + slack;
+        const double below = least_weight_ * area * inverse_[k];
+        result.outs[k] = across.above(k, below / rounding) * per_weight + slack;
         result.out = std::max(result.out, result.outs[k]);
         const double beside = runs_along(k)
-                                  ? diagonal(heights.on_side(k), bend_out.on_side(k)) / least_weight_ + slack
+                                  ? diagonal(heights.on_side(k), across.on_side(k)) * per_weight + slack
                                   : equal_parameters();
         result.sides[k] = beside * rounding;
         result.beside = std::max(result.beside, result.sides[k]);
     }
     result.out *= sharpness();
-    if (result.out > result.height && effort_ == Effort::full) {
+    if (result.out > result.height) {
         result.out = std::min(result.out, equal_parameters());
     }
     const bool needle = result.altitude < diagonal(result.height, result.out); // else sides are farther away
-    result.whole = effort_ == Effort::full && needle ? from_a_side(result) : infinity;
+    result.whole = needle ? from_a_side(result) : infinity;
     result.height = std::min(result.height, result.whole); // sides are in the plane
     result.out = std::min(result.out, result.whole);
-    for (double &over : result.outs) {
-        over = std::min(over * rounding, result.out);
+    for (double &out : result.outs) {
+        out = std::min(out * rounding, result.out);
     }
-    const double high = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
-    set_turns({across, high, area}, result);
+    set_turns(over, result);
     return result;
 }
 
 } // namespace
 
-TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells,
-                             Effort effort) noexcept {
-    const Triangle triangle(corners, cells, effort);
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
+                             std::span<const CellPart> cells) noexcept {
+    const Triangle triangle(corners, cells);
     if (triangle.certain()) {
         return triangle.bound();
     }

@@ -66,12 +66,9 @@ struct TriangleBound {
     [[nodiscard]] double from_mesh() const noexcept { return std::max(height, beside); }
 };
 
-// A coarse bound takes the same second derivatives in all directions but the normal: a quarter of the time.
-enum class Effort { coarse, full };
-
 // The cells cover the triangle. Corners may be rounded; what that moves comes on top of these bounds. Infinite where weights may not
 // be positive.
-TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells,
-                             Effort effort = Effort::full) noexcept;
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
+                             std::span<const CellPart> cells) noexcept;
 
 } // namespace nrb::mesh

@@ -60,7 +60,7 @@ public:
             {{params[0], point(params[0])}, {params[1], point(params[1])}, {params[2], point(params[2])}}};
     }
     // Of a triangle in one piece.
-    TriangleBound bound(const std::array<Param, 3> &params, Effort effort = Effort::full) {
+    TriangleBound bound(const std::array<Param, 3> &params) {
         Rectangle part{params[0], params[0]};
         for (const Param &x : params) {
             for (size_t k = 0; k < 2; ++k) {
@@ -70,7 +70,7 @@ public:
         }
         const HessianBox box = nets_.box(part, nets_.pieces_in(part));
         const CellPart here{&box, part};
-        return triangle_bound(corners(params), {&here, 1}, effort);
+        return triangle_bound(corners(params), {&here, 1});
     }
     HessianBox box(const Rectangle &part) { return nets_.box(part, nets_.pieces_in(part)); }
     // By parts.
@@ -151,11 +151,9 @@ TEST(TriangleBound, holds_for_samples) {
         Measured measured(surface(random, random.whole(1, 5), 1, random.chance(60), random.between(0, 1)));
         const auto params = random_triangle(random, {0, 0}, {1, 1}, random.magnitude(0.01, 0.5));
         const auto sampled = measured.sampled(params, 16);
-        for (const Effort effort : {Effort::coarse, Effort::full}) {
-            const TriangleBound bound = measured.bound(params, effort);
-            EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
-            EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
-        }
+        const TriangleBound bound = measured.bound(params);
+        EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
+        EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
     }
 }
 
