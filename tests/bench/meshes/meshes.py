@@ -32,6 +32,7 @@ import sys
 EXAMPLES = pathlib.Path(__file__).resolve().parents[3] / "capi/examples/models"
 LIBRARIES = {"libnurbs": "bench_meshes_nurbs", "Open CASCADE": "bench_meshes_occt"}
 LIMIT = 1800  # seconds for one mesh
+LONG = 60e3  # milliseconds after which a mesh is not made again
 SHARE = 1e-3  # of the size of files
 
 # What is meshed: its title; chords, and what it should take at each in triangles and in milliseconds; chords for --large.
@@ -57,18 +58,17 @@ class Runs:
         self.programs = {library: options.programs / name for library, name in LIBRARIES.items()
                          if (options.programs / name).exists()}
         self.problems = []
-        self.late = set()
         self.known = {}
 
     def one(self, library, *arguments):
-        """A line of a program; None if it fails, takes too long or is not there."""
+        """A line of a program; None if it fails or is not there."""
         if library not in self.programs:
             return None
         try:
             run = subprocess.run([self.programs[library], *arguments], capture_output=True, text=True, timeout=LIMIT, check=False)
         except subprocess.TimeoutExpired:
-            self.late.add(library)
-            return None
+            self.problems += [f"{arguments[0]}: over {LIMIT} s"] if library == "libnurbs" else []
+            return {"late": True}
         if run.returncode != 0:
             print(f"{library}: {' '.join(map(str, arguments))}: {run.stderr.strip()[-300:]}", file=sys.stderr)
             if library == "libnurbs":
@@ -77,14 +77,13 @@ class Runs:
         return json.loads(run.stdout.splitlines()[-1])
 
     def best(self, arguments, libraries=LIBRARIES):
-        """The quickest runs of all libraries, by turns; `arguments` are those of a library."""
+        """The quickest runs of all libraries, by turns; what takes long is not repeated. `arguments` are those of a library."""
         runs = {library: [] for library in LIBRARIES}
-        self.late = set()
         for _ in range(self.options.passes):
             for library in libraries:
-                if library not in self.late:
+                if not runs[library] or runs[library][-1].get("ms", LONG) < LONG:
                     runs[library] += filter(None, [self.one(library, *arguments(library))])
-        return {library: min(each, key=lambda run: run["ms"]) if each else None for library, each in runs.items()}
+        return {library: min(each, key=lambda run: run.get("ms", 1e3 * LIMIT)) if each else None for library, each in runs.items()}
 
     def of_shape(self, shape, chord, libraries=LIBRARIES):
         """The same, once for all tables; meshes are left in files."""
@@ -102,13 +101,18 @@ class Runs:
         return json.loads(run.stdout)
 
 
+def done(run):
+    """Whether there is a mesh."""
+    return run is not None and "late" not in run
+
+
 def number(value):
     return "–" if value is None else f"{value:.3g}" if isinstance(value, float) else str(value)
 
 
 def pair(runs, value):
     """Two cells, and how much more the other one has."""
-    ours, other = (value(runs[library]) if runs[library] else None for library in LIBRARIES)
+    ours, other = (value(run) if done(run) else None for run in runs.values())
     ratio = f"{other / ours:.2g}" if ours and other else "–"
     return f"{number(ours)} | {number(other)} | {ratio}"
 
@@ -126,8 +130,8 @@ def farthest(all_runs, shape, chord, runs):
     """How far both meshes are off, over the chord; ours has to keep to what it proves, and that to the chord."""
     cells = []
     for library, run in runs.items():
-        if run is None:
-            cells.append("–")
+        if not done(run):
+            cells.append(f"over {LIMIT} s" if run else "–")
             continue
         apart = all_runs.apart(shape, all_runs.mesh(library))
         text = number(max(apart.values()) / float(chord))
@@ -153,7 +157,7 @@ def show_shapes(all_runs):
             continue
         for chord in [*aims, *(finer if all_runs.options.large else [])]:
             runs = all_runs.of_shape(shape, chord)
-            if runs["libnurbs"]:
+            if done(runs["libnurbs"]):
                 print(f"| {title}, {chord} | {pair(runs, lambda run: run['triangles'])} | {pair(runs, lambda run: run['ms'])} | "
                       f"{farthest(all_runs, shape, chord, runs)} | {aim(*aims.get(chord, (None, None)))} |", flush=True)
 
@@ -179,7 +183,7 @@ def files():
 
 
 def wrong(run):
-    return f"{run['missing']} + {run['off']}" if run else "–"
+    return f"{run['missing']} + {run['off']}" if done(run) else "–"
 
 
 def show_files(all_runs):
@@ -191,12 +195,12 @@ def show_files(all_runs):
         if not re.search(all_runs.options.only, path.stem):
             continue
         first = all_runs.one("libnurbs", path, str(SHARE))
-        if first is None:
+        if not done(first):
             continue
         chords = {"libnurbs": str(SHARE), "Open CASCADE": repr(first["chord"])}
         runs = all_runs.best(lambda library: (path, chords[library]))
         ours, other = runs.values()
-        off = " | ".join(number(run["far"] / run["chord"]) if run else "–" for run in (ours, other))
+        off = " | ".join(number(run["far"] / run["chord"]) if done(run) else "–" for run in (ours, other))
         print(f"| {path.stem} | {ours['faces']} | {pair(runs, lambda run: run['triangles'])} | {pair(runs, lambda run: run['ms'])} | "
               f"{wrong(ours)} | {wrong(other)} | {off} |", flush=True)
         all_runs.problems += [f"{path.stem}: {ours[key]} faces {text}" for key, text in
