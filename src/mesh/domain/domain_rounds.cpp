@@ -12,6 +12,10 @@ namespace {
 
 // Rounds in which the strip is divided for an angle.
 constexpr int most_angle_rounds = 10;
+// Changes of the border for other sakes than distances.
+constexpr int most_changes = 12;
+// Of the domain: what is no longer is not divided where that helps, and where nothing is known of it.
+constexpr double least_share = 0x1p-26, least_unknown = 0x1p-12;
 
 } // namespace
 
@@ -35,6 +39,7 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
         const bool can = pole || !triangle.fixed[k] || triangle.border[k] >= 0;
         if (can && size > best.size) {
             best = {size, {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2}, triangle.border[k]};
+            best.share = cells_.share(a.param, b.param);
         }
     }
     return best;
@@ -83,6 +88,18 @@ double DomainMesher::least_split(size_t triangle) const noexcept {
                                : chord_ / 4;
 }
 
+// Corners may be near each other where the surface between them is not, so that distances count as long as there are such.
+bool DomainMesher::is_tiny(size_t triangle, const Split &split) const noexcept {
+    const bool known = is_large(triangle) && distances(triangle).most() < infinity;
+    return split.share <= least_share || (!known && split.size <= least_split(triangle) &&
+                                          (split.border < 0 || split.share <= least_unknown));
+}
+
+bool DomainMesher::can_cut(int32_t cell) const noexcept {
+    const Rectangle part = cells_.tree().rectangle(cells_.tree().cells()[static_cast<size_t>(cell)]);
+    return cells_.share(part.lower, part.upper) > least_share;
+}
+
 // What is beside a segment shrinks with the square of its length, and normals turn with the length.
 int DomainMesher::parts_for(size_t triangle) const noexcept {
     constexpr double most = 8;
@@ -91,13 +108,59 @@ int DomainMesher::parts_for(size_t triangle) const noexcept {
     return static_cast<int>(parts >= 2 ? std::min(parts, most) : 2);
 }
 
-// Whether there are segments that can be divided.
-bool DomainMesher::is_weak() const {
-    const auto divides = [&](int32_t segment) {
-        return domain_.border.segments[static_cast<size_t>(segment)].line >= 0;
-    };
-    return std::ranges::any_of(weak_, [&](const auto &weak) { return divides(weak.first); }) ||
-           std::ranges::any_of(crossed_, divides);
+void DomainMesher::add_weak(int32_t segment, int parts) {
+    int &own = weak_.try_emplace(segment, 2).first->second;
+    own = std::max(own, parts);
+}
+
+// Where the work has ended, only so that there is a mesh at all.
+bool DomainMesher::change_border() {
+    if (!domain_.change_border) {
+        return false;
+    }
+    BorderWish wish;
+    if (changes_ < most_changes) {
+        for (const int32_t segment : crossed_) { // in parts of which many no longer cross
+            weak_.try_emplace(segment, 4);
+        }
+        wish.united = united_;
+        wish.touched = touched_;
+    }
+    wish.weak.assign(weak_.begin(), weak_.end());
+    const bool crosses = !(crossed_.empty() && united_.empty() && touched_.empty());
+    changes_ += crosses || angle_ > 0 ? 1 : 0;
+    return !(wish.weak.empty() && wish.united.empty() && wish.touched.empty()) && domain_.change_border(wish);
+}
+
+bool DomainMesher::take_border() {
+    index_.emplace(domain_.border);
+    proof_.forget_border();
+    leave_border();
+    known_points_ = static_cast<int32_t>(domain_.points->size());
+    round_ = 0;
+    return united_.empty() && sites_.take_border();
+}
+
+// New segments are where their curves are, a little beside the old ones: cells into which they come are no longer inside.
+void DomainMesher::leave_border() {
+    const FaceBorder &border = domain_.border;
+    const auto point = [&](int32_t i) { return border.points[static_cast<size_t>(i)]; };
+    for (const BorderSegment &segment : border.segments) {
+        const BorderPoint a = point(segment.from), b = point(segment.to);
+        if (std::max(a.point, b.point) < known_points_) {
+            continue;
+        }
+        const Rectangle around{{std::min(a.param[0], b.param[0]), std::min(a.param[1], b.param[1])},
+                               {std::max(a.param[0], b.param[0]), std::max(a.param[1], b.param[1])}};
+        std::vector<int32_t> entered;
+        cells_.tree().for_each_in(around, [&](int32_t number) {
+            const Cell &cell = cells_.tree().cells()[static_cast<size_t>(number)];
+            if (cell.side == Side::inside && index_->any_in(cells_.tree().rectangle(cell))) {
+                entered.push_back(number);
+            }
+        });
+        cells_.leave_to_border(entered);
+    }
 }
 
 void DomainMesher::cut(const std::vector<int32_t> &cells) {
@@ -137,25 +200,25 @@ void DomainMesher::add_place(const std::array<double, 2> &place,
 bool DomainMesher::improve() {
     std::vector<int32_t> over;
     std::vector<std::array<double, 2>> more;
-    weak_.clear();
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
         const SiteTriangle triangle = triangles_[i];
         if (triangle.cell >= 0) { // without any bound they are as small as is sensible
-            if (distances(i).from_shape < infinity) {
+            if (distances(i).from_shape < infinity && can_cut(triangle.cell)) {
                 over.push_back(triangle.cell);
             }
             continue;
         }
         const Split split = split_of(triangle);
-        const bool tiny = split.size <= least_split(i);
-        if (split.border >= 0 && (is_large(i) || !tiny)) {
-            int &parts = weak_.try_emplace(split.border, 2).first->second;
-            parts = std::max(parts, parts_for(i));
-        } else if (split.border < 0 && !tiny) {
+        if (is_tiny(i, split)) {
+            continue;
+        }
+        if (split.border < 0) {
             add_place(split.place, more);
+        } else if (is_large(i) || changes_ < most_changes) {
+            add_weak(split.border, parts_for(i));
         }
     }
     std::ranges::sort(over);
