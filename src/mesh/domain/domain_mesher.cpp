@@ -163,9 +163,11 @@ void DomainMesher::make_strip() {
         const SiteTriangle triangle{piece.sites, -1, piece.border, piece.fixed};
         triangles_.add(triangle, mesh_triangle(triangle));
     }
+    std::vector<std::array<double, 2>> more;
     for (const auto &place : divided) {
-        add_place(place, extra_);
+        add_place(place, more);
     }
+    extra_.insert(more.begin(), more.end());
 }
 
 // Whether a site is where the surface ends: at an end of the domain, or where it jumps.

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 namespace nrb::mesh {
 
@@ -113,7 +114,7 @@ private:
     double most_apart_; // of unit normals
     Sites sites_;
     TriangleProof proof_;
-    std::vector<std::array<double, 2>> extra_; // places of the strip besides
+    std::set<std::array<double, 2>> extra_; // places of the strip besides
     int round_ = 0;                            // since the border changed
     int changes_ = 0;                          // of the border, for other sakes than distances
     int32_t known_points_ = 0;                 // of the domain

@@ -28,14 +28,15 @@ double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
     return longest;
 }
 
-// Where a triangle of the strip is best divided: at a pole on that side, else on the longest one that can be.
+// Where a triangle of the strip is best divided: at a pole on that side, else on the one over which the surface is longest, of those that
+// can be.
 DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     Split best;
     for (size_t k = 0; k < 3; ++k) {
         const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
         const Site &a = sites_[from], &b = sites_[to];
         const bool pole = a.point == b.point;
-        const double size = pole ? infinity : length(sites_.position(from) - sites_.position(to));
+        const double size = pole ? infinity : sites_.way(from, to);
         const bool can = pole || !triangle.fixed[k] || triangle.border[k] >= 0;
         if (can && size > best.size) {
             best = {size, {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2}, triangle.border[k]};
@@ -215,17 +216,20 @@ bool DomainMesher::improve() {
         if (is_tiny(i, split)) {
             continue;
         }
-        if (split.border < 0) {
+        if (split.border < 0 && !extra_.contains(split.place)) {
             add_place(split.place, more);
-        } else if (is_large(i) || changes_ < most_changes) {
-            add_weak(split.border, parts_for(i));
+        } else if (is_large(i) || changes_ < most_changes) { // also where a place is on the border
+            for (const int32_t segment : triangle.border) {
+                if (segment >= 0 && (split.border < 0 || segment == split.border)) {
+                    add_weak(segment, parts_for(i));
+                }
+            }
         }
     }
     std::ranges::sort(over);
     over.erase(std::unique(over.begin(), over.end()), over.end());
-    std::ranges::sort(more);
-    more.erase(std::unique(more.begin(), more.end()), more.end());
-    extra_.insert(extra_.end(), more.begin(), more.end());
+    const size_t known = extra_.size();
+    extra_.insert(more.begin(), more.end());
     const auto before = static_cast<int32_t>(cells_.tree().cells().size());
     cut(over);
     if (round_ >= 4 && !over.empty()) { // few are left, and every round takes its time: across both axes
@@ -234,7 +238,7 @@ bool DomainMesher::improve() {
         }
         cut(over);
     }
-    return !over.empty() || !more.empty();
+    return !over.empty() || extra_.size() > known;
 }
 
 } // namespace nrb::mesh

@@ -155,6 +155,20 @@ void Sites::evaluate() {
     }
 }
 
+double Sites::way(int32_t from, int32_t to) const {
+    const Site &a = (*this)[from], &b = (*this)[to];
+    std::array<double, 2> middle{};
+    eval::AxisRules rules{};
+    for (size_t k = 0; k < 2; ++k) {
+        middle[k] = a.param[k] / 2 + b.param[k] / 2;
+        rules[k].left = a.from_left[k] && b.from_left[k];
+    }
+    Vector3 x{0, 0, 0};
+    eval::evaluate_points(*domain_.surface, rules, 0, {middle.data(), 1, 2, 2, 1},
+                          {&x.x, 1, domain_.surface->dim(), 3, 1});
+    return length(x - position(from)) + length(position(to) - x);
+}
+
 // In groups of equal sides.
 void Sites::evaluate(size_t first, size_t last) {
     std::array<std::vector<size_t>, 4> groups;
