@@ -21,8 +21,8 @@ constexpr double least_for_angles = 1e-5;
 } // namespace
 
 DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
-    : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(std::in_place, domain.border),
-      chord_(within_reach(rule.chord, 1e-3)),
+    : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)),
+      index_(std::in_place, domain.border), chord_(within_reach(rule.chord, 1e-3)),
       longest_(rule.longest > 0 ? within_reach(rule.longest, 1e-2) : 0),
       angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
                                                                          : 0),

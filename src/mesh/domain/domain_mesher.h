@@ -115,9 +115,9 @@ private:
     Sites sites_;
     TriangleProof proof_;
     std::set<std::array<double, 2>> extra_; // places of the strip besides
-    int round_ = 0;                            // since the border changed
-    int changes_ = 0;                          // of the border, for other sakes than distances
-    int32_t known_points_ = 0;                 // of the domain
+    int round_ = 0;                         // since the border changed
+    int changes_ = 0;                       // of the border, for other sakes than distances
+    int32_t known_points_ = 0;              // of the domain
     std::vector<CellState> states_;
     TrianglePool triangles_;
     double slack_ = 0;                                // what rounding adds to distances

@@ -77,7 +77,7 @@ private:
     std::vector<int32_t> place_points_; // of the first of those that are one in space; -1: none yet
     using Key = std::array<double, 3>;  // parameters and block
     std::map<Key, int32_t> param_sites_;
-    std::map<std::array<double, 2>, int32_t> param_points_; // of places that are none of the border
+    std::map<std::array<double, 2>, int32_t> param_points_;  // of places that are none of the border
     std::map<std::array<double, 2>, int32_t> border_points_; // of the domain
     std::unordered_map<int32_t, int32_t> of_border_;         // their numbers here
     std::vector<Point> points_;
