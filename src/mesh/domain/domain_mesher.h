@@ -72,6 +72,7 @@ private:
     [[nodiscard]] bool is_long(size_t triangle) const noexcept {
         return longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_);
     }
+    [[nodiscard]] double corners_off(size_t triangle) const noexcept;
     [[nodiscard]] bool is_held(size_t triangle) const noexcept;
     [[nodiscard]] bool is_over(size_t triangle) const {
         return is_large(triangle) || is_turned(triangles_[triangle]);
@@ -116,8 +117,10 @@ private:
     TriangleProof proof_;
     std::set<std::array<double, 2>> extra_; // places of the strip besides
     int round_ = 0;                         // since the border changed
-    int changes_ = 0;                       // of the border, for other sakes than distances
-    int32_t known_points_ = 0;              // of the domain
+    int all_rounds_ = 0;
+    bool is_off_ = false;      // a triangle has a corner farther from the surface than the chord
+    int changes_ = 0;          // of the border, for other sakes than distances
+    int32_t known_points_ = 0; // of the domain
     std::vector<CellState> states_;
     TrianglePool triangles_;
     double slack_ = 0;                                // what rounding adds to distances

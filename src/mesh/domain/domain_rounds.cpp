@@ -62,13 +62,18 @@ double DomainMesher::turn_over(const SiteTriangle &triangle) const {
     return triangle.cell < 0 ? 0 : turn_of(cells_.tree().box(triangle.cell), least_).both;
 }
 
-// Whether a corner on an edge is so far from the surface that parts would be as far as the triangle is, by a factor.
-bool DomainMesher::is_held(size_t triangle) const noexcept {
-    constexpr double factor = 2;
+double DomainMesher::corners_off(size_t triangle) const noexcept {
     double off = 0;
     for (const int32_t site : triangles_[triangle].sites) {
         off = std::max(off, length(sites_.point(sites_[site].point) - sites_.position(site)));
     }
+    return off;
+}
+
+// Whether a corner on an edge is so far from the surface that parts would be as far as the triangle is, by a factor.
+bool DomainMesher::is_held(size_t triangle) const noexcept {
+    constexpr double factor = 2;
+    const double off = corners_off(triangle);
     return off > chord_ && distances(triangle).most() <= factor * off;
 }
 
@@ -91,7 +96,8 @@ double DomainMesher::least_split(size_t triangle) const noexcept {
 
 // Corners may be near each other where the surface between them is not, so that distances count as long as there are such.
 bool DomainMesher::is_tiny(size_t triangle, const Split &split) const noexcept {
-    const bool known = is_large(triangle) && distances(triangle).most() < infinity;
+    const bool known =
+        is_large(triangle) && distances(triangle).most() < infinity && !(corners_off(triangle) > chord_);
     return split.share <= least_share || (!known && split.size <= least_split(triangle) &&
                                           (split.border < 0 || split.share <= least_unknown));
 }
@@ -202,6 +208,7 @@ bool DomainMesher::improve() {
     std::vector<int32_t> over;
     std::vector<std::array<double, 2>> more;
     for (size_t i = 0; i < triangles_.size(); ++i) {
+        is_off_ = is_off_ || (triangles_.has(i) && is_large(i) && corners_off(i) > chord_);
         if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
