@@ -15,7 +15,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr std::array<double, 4> cubic_places{0, 0.25, 0.75, 1};
-constexpr double farthest_beyond = 0.25; // places of B
+constexpr double farthest_beyond = 0.9; // places of B
 constexpr double most_rho = 0.9;
 constexpr int most_samples = 16384;
 constexpr double least_side = 0x1p-30;
@@ -163,18 +163,18 @@ std::array<double, 2> OverlapMap::foot(const std::array<double, 2> &at) const {
 }
 
 // False: B does not contract in the box.
-bool OverlapMap::set_chart(const PlaceBox &with) {
+bool OverlapMap::set_chart(const PlaceBox *with) {
     PlaceBox box;
-    bool beyond = false;
+    double beyond = 0;
     for (size_t k = 0; k < 2; ++k) {
-        box[k] = hull_of(hull_[k], with[k]);
+        box[k] = with == nullptr ? hull_[k] : hull_of(hull_[k], (*with)[k]);
         const double middle = box[k].lower / 2 + box[k].upper / 2;
         box[k] = hull_of(box[k], {middle - least_side, middle + least_side});
         lengths_[k] = box[k].upper - box[k].lower;
-        beyond = beyond || box[k].lower < 0 || box[k].upper > 1;
-        if (!(box[k].lower >= -farthest_beyond && box[k].upper <= 1 + farthest_beyond)) {
-            return false;
-        }
+        beyond = std::max({beyond, -box[k].lower, box[k].upper - 1});
+    }
+    if (!(beyond <= farthest_beyond)) {
+        return false;
     }
     CrossCell cell(*b_, box);
     count_work(8 * b_->piece.coefficients() * (b_->degrees[0] + b_->degrees[1] + 8));
@@ -203,7 +203,7 @@ bool OverlapMap::set_chart(const PlaceBox &with) {
         slopes_[k] = std::max(std::abs(heights.slopes[k].lower), std::abs(heights.slopes[k].upper));
     }
     weight_of_b_ = cell.least_weight();
-    beyond_ = beyond ? std::pow(1 + 2 * farthest_beyond, b_->degrees[0] + b_->degrees[1]) : 1;
+    beyond_ = std::pow(1 + 2 * (beyond + widening), b_->degrees[0] + b_->degrees[1]);
     return rho_ <= most_rho;
 }
 
@@ -269,8 +269,27 @@ void OverlapMap::set_bounds() {
     }
 }
 
+double OverlapMap::room_on(const CrossPiece &piece, size_t axis, double near) noexcept {
+    const double slope = std::max(length(piece.evaluate({0.5, 0.5}).slope[axis]), eps);
+    return std::min(near / (32 * slope), 0x1p-8);
+}
+
+// The side of a box that feet are beyond, but for a little.
+bool OverlapMap::set_side(const PlaceBox &with) {
+    for (size_t k = 0; k < 2; ++k) {
+        const double room = room_on(*b_, k, 16 * tolerance_);
+        for (size_t end = 0; end < 2; ++end) {
+            if (end == 0 ? feet_[k].upper <= with[k].lower + room : feet_[k].lower >= with[k].upper - room) {
+                side_ = {k, end};
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 OverlapMap::Verdict OverlapMap::look(const CrossPiece &a, const PlaceBox &part, const CrossPiece &b,
-                                     const std::array<double, 2> &start, const PlaceBox &with) {
+                                     const std::array<double, 2> &start, const PlaceBox *with) {
     a_ = &a;
     b_ = &b;
     part_ = part;
@@ -285,8 +304,9 @@ OverlapMap::Verdict OverlapMap::look(const CrossPiece &a, const PlaceBox &part, 
             return Verdict::open;
         }
         const Gap few = estimate();
+        feet_ = hull_;
         const bool near = height_of(few) <= tolerance_ * a.largest_weight * b.largest_weight,
-                   apart = !have_common(hull_, with);
+                   apart = with != nullptr && set_side(*with);
         if ((!near && !apart) || !can_be_sampled()) {
             continue;
         }
@@ -294,11 +314,14 @@ OverlapMap::Verdict OverlapMap::look(const CrossPiece &a, const PlaceBox &part, 
         if (!(off_ <= widening / 2)) {
             continue;
         }
-        if (!have_common(feet_, with)) {
+        if (with != nullptr && !have_common(feet_, *with)) {
             return Verdict::beside;
         }
         if (height_ <= tolerance_) {
             return Verdict::along;
+        }
+        if (with != nullptr && set_side(*with)) {
+            return Verdict::touching;
         }
     }
     return Verdict::open;

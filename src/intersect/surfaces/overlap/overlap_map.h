@@ -26,13 +26,18 @@ public:
 
     enum class Verdict {
         along, // each place has one foot in feet(), no farther than the tolerance, and B holds no other one in `with`
-        beside, // each place has one foot in feet(), which has nothing in common with `with`
+        beside,   // each place has one foot in feet(), which has nothing in common with `with`
+        touching, // or no more than what is within half of the tolerance from side()
         open,
     };
-    // start: a place on B beside the part; with: of B, to be told about, too. B goes on as a polynomial.
+    // start: a place on B beside the part; with: of B, to be told about, too; null: nothing is beside. B goes on as a polynomial.
     Verdict look(const CrossPiece &a, const PlaceBox &part, const CrossPiece &b,
-                 const std::array<double, 2> &start, const PlaceBox &with);
+                 const std::array<double, 2> &start, const PlaceBox *with);
     [[nodiscard]] const PlaceBox &feet() const noexcept { return feet_; }
+    // The axis and the end.
+    [[nodiscard]] const std::array<size_t, 2> &side() const noexcept { return side_; }
+    // How far apart places on a piece may be along an axis that are taken for one, which are near / 32 apart in space.
+    [[nodiscard]] static double room_on(const CrossPiece &piece, size_t axis, double near) noexcept;
 
 private:
     using Homogeneous = std::array<double, 4>;
@@ -43,12 +48,13 @@ private:
 
     bool interpolate(int degree, std::array<double, 2> start);
     bool find_foot(const Vector3 &of, const Vector3 &normal, std::array<double, 2> &place) const;
-    bool set_chart(const PlaceBox &with);
+    bool set_chart(const PlaceBox *with);
     [[nodiscard]] std::array<double, 2> foot(const std::array<double, 2> &at) const;
     void add_gap(const std::array<double, 2> &at, Gap &gap) const;
     [[nodiscard]] Gap estimate() const;
     [[nodiscard]] bool can_be_sampled() const noexcept;
     void set_bounds();
+    bool set_side(const PlaceBox &with);
     [[nodiscard]] double height_of(const Gap &gap) const noexcept;
     [[nodiscard]] std::array<double, 2> place_on_a(const std::array<double, 2> &at) const noexcept;
     [[nodiscard]] std::array<int, 2> degrees_of_gap() const noexcept;
@@ -67,6 +73,7 @@ private:
     double rho_ = 1, weight_of_b_ = 1, beyond_ = 1;
     std::array<double, 2> slopes_{}; // |n . B'|
     double off_ = 0, height_ = 0;
+    std::array<size_t, 2> side_{};
 };
 
 } // namespace nrb::intersect

@@ -54,8 +54,7 @@ OverlapProof::OverlapProof(const OverlapGround &ground, const OverlapEdges &edge
                     lower = std::min(lower, at[k]);
                     upper = std::max(upper, at[k]);
                 }
-                const double room = 0x1p-30 * ground.borders(0).period(k);
-                part.on[k] = {lower - room, upper + room};
+                part.on[k] = {lower, upper};
                 part.at[k] = (segment.on[0][0][k] + 3 * segment.on[0][1][k] + 3 * segment.on[0][2][k] +
                               segment.on[0][3][k]) /
                              8;
@@ -82,7 +81,11 @@ std::array<double, 2> OverlapProof::parameters(const Part &part, double u, doubl
 std::optional<std::array<double, 2>> OverlapProof::edge_in(const Part &part) const {
     const auto lower = parameters(part, 0, 0), upper = parameters(part, 1, 1),
                middle = parameters(part, 0.5, 0.5);
-    const PlaceBox box{Interval{lower[0], upper[0]}, Interval{lower[1], upper[1]}};
+    PlaceBox box;
+    for (size_t k = 0; k < 2; ++k) { // an edge along its side does not run through it
+        const double room = std::min(0x1p-30 * ground_.borders(0).period(k), (upper[k] - lower[k]) / 4);
+        box[k] = {lower[k] + room, upper[k] - room};
+    }
     count_work(4 * std::ssize(edge_parts_));
     const EdgePart *best = nullptr;
     double least = infinity;
@@ -116,17 +119,13 @@ const CrossPiece *OverlapProof::neighbour(const CrossPiece &piece, const std::ar
     return ground_.pieces(1).piece(index);
 }
 
-// With all of the piece if it can be told apart.
 bool OverlapProof::lies_along(const Part &part, const CrossPiece &other, const std::array<double, 2> &start) {
-    const PlaceBox place{Interval{start[0], start[0]}, Interval{start[1], start[1]}};
-    for (const PlaceBox &with : {whole, place}) {
-        --left_;
-        if (map_.look(*part.piece, part.places, other, start, with) == OverlapMap::Verdict::along) {
-            proven_[part.piece].push_back({part.places, &other, with});
-            return true;
-        }
+    --left_;
+    if (map_.look(*part.piece, part.places, other, start, nullptr) != OverlapMap::Verdict::along) {
+        return false;
     }
-    return false;
+    proven_[part.piece].push_back({part.places, &other, map_.feet()});
+    return true;
 }
 
 // Feet beyond sides of the piece, by more than a little, are on the pieces there; inside of a region the surface goes on there.
@@ -135,8 +134,7 @@ bool OverlapProof::lies_along_neighbours(const Part &part, const CrossPiece &oth
     std::array<std::array<bool, 3>, 2> beyond{}; // lower, this one, upper
     std::array<double, 2> middle{};
     for (size_t k = 0; k < 2; ++k) {
-        const double slope = std::max(length(other.evaluate({0.5, 0.5}).slope[k]), eps),
-                     room = std::min(near_ / (32 * slope), 0x1p-8);
+        const double room = OverlapMap::room_on(other, k, near_);
         beyond[k] = {feet[k].lower<-room, feet[k].upper> room &&
                      feet[k].lower<1 - room, feet[k].upper> 1 + room};
         middle[k] = feet[k].lower / 2 + feet[k].upper / 2;
@@ -194,12 +192,13 @@ OverlapProof::State OverlapProof::look(const Part &part) {
         return State::done; // outside
     }
     const State state = look_along(part, foot ? *foot : *edge, !edge);
-    if (state == State::done) {
-        return state;
-    }
     // What is small is as near as its middle, or as an edge.
     const CrossCell cell(*part.piece, part.places);
-    return cell.size() + cell.error() <= near_ / 4 ? State::done : State::halve;
+    const bool done = state == State::done || cell.size() + cell.error() <= near_ / 4;
+    if (done && foot && !edge) {
+        inside_[part.piece].push_back(part.places);
+    }
+    return done ? State::done : State::halve;
 }
 
 bool OverlapProof::prove() {
@@ -254,6 +253,27 @@ std::optional<OverlapProof::Part> OverlapProof::part_of(size_t surface, const In
     return part;
 }
 
+// Whether all of a part is in regions.
+bool OverlapProof::is_inside(const Part &part) const {
+    const auto known = inside_.find(part.piece);
+    if (known == inside_.end()) {
+        return false;
+    }
+    double area = 0;
+    count_work(4 * std::ssize(known->second));
+    for (const PlaceBox &own : known->second) {
+        double common = 1;
+        for (size_t k = 0; k < 2; ++k) {
+            common *= std::max(0.0, std::min(own[k].upper, part.places[k].upper) -
+                                        std::max(own[k].lower, part.places[k].lower));
+        }
+        area += common;
+    }
+    const double all =
+        (part.places[0].upper - part.places[0].lower) * (part.places[1].upper - part.places[1].lower);
+    return area >= (1 - 0x1p-30) * all;
+}
+
 bool OverlapProof::is_known(const Part &a, const Part &b) const {
     const auto known = proven_.find(a.piece);
     return known != proven_.end() && std::ranges::any_of(known->second, [&](const Proven &proven) {
@@ -265,7 +285,23 @@ OverlapMap::Verdict OverlapProof::look(const Part &a, const Part &b) {
     const std::array<double, 2> start{b.places[0].lower / 2 + b.places[0].upper / 2,
                                       b.places[1].lower / 2 + b.places[1].upper / 2};
     --left_;
-    return map_.look(*a.piece, a.places, *b.piece, start, b.places);
+    return map_.look(*a.piece, a.places, *b.piece, start, &b.places);
+}
+
+// What is along a side of the second part only is in a region, if the first one is, or where the surface ends.
+bool OverlapProof::is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict) const {
+    if (verdict != OverlapMap::Verdict::touching) {
+        return verdict != OverlapMap::Verdict::open;
+    }
+    const auto [axis, end] = map_.side();
+    const double at = end == 0 ? b.places[axis].lower : b.places[axis].upper, of_piece = end == 0 ? 0 : 1;
+    if (at == of_piece && b.piece->open[axis][end]) {
+        return true;
+    }
+    const auto known = proven_.find(a.piece);
+    return known != proven_.end() && std::ranges::any_of(known->second, [&](const Proven &proven) {
+               return holds(proven.part, a.places);
+           });
 }
 
 // Whether something that bounds no region may be in it.
@@ -298,15 +334,18 @@ bool OverlapProof::covers(const std::array<Interval, 4> &ranges) {
     if (!a || !b || is_loose(ranges)) {
         return false;
     }
+    if (is_inside(*a)) {
+        return true;
+    }
     std::vector<std::pair<Part, Part>> stack{{*a, *b}};
     for (int looks = 0; !stack.empty(); ++looks) {
         const auto [first, second] = stack.back();
         stack.pop_back();
-        if (is_known(first, second)) {
+        if (is_known(first, second) || is_inside(first)) {
             continue;
         }
         const CrossCell cell(*first.piece, first.places), other(*second.piece, second.places);
-        if (are_apart(cell, other) || look(first, second) != OverlapMap::Verdict::open) {
+        if (are_apart(cell, other) || is_told(first, second, look(first, second))) {
             continue;
         }
         if (work_ended() || left_ <= 0 || looks >= most_looks_at_a_pair) {

@@ -46,8 +46,10 @@ private:
     bool lies_along_neighbours(const Part &part, const CrossPiece &other, bool inside);
     [[nodiscard]] const CrossPiece *neighbour(const CrossPiece &piece, const std::array<int, 2> &step) const;
     [[nodiscard]] std::optional<std::array<double, 2>> edge_in(const Part &part) const;
+    [[nodiscard]] bool is_inside(const Part &part) const;
     bool is_known(const Part &a, const Part &b) const;
     OverlapMap::Verdict look(const Part &a, const Part &b);
+    [[nodiscard]] bool is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict) const;
     [[nodiscard]] bool is_loose(const std::array<Interval, 4> &ranges) const;
     [[nodiscard]] std::optional<Part> part_of(size_t surface, const Interval *ranges) const;
 
@@ -62,6 +64,7 @@ private:
     };
     std::vector<EdgePart> edge_parts_;
     std::map<const CrossPiece *, std::vector<Proven>> proven_;
+    std::map<const CrossPiece *, std::vector<PlaceBox>> inside_; // of regions
     int left_;
 };
 
