@@ -173,14 +173,16 @@ private:
                 is_end = true;
             }
         }
-        if (!is_end && !cross_side(side, *there, end)) {
+        if (!is_end && !cross_side(side, *here, *there, end)) {
             return false;
         }
         snap(other, *there, end);
         return true;
     }
-    // To the nearest side of the other surface.
-    bool cross_side(const OverlapSide &side, const OverlapGround::Point &there, CrossPlace &end) const {
+    // To the nearest side of the other surface that does not run along this one.
+    bool cross_side(const OverlapSide &side, const OverlapGround::Point &here,
+                    const OverlapGround::Point &there, CrossPlace &end) const {
+        constexpr double least_sine = 1e-3;
         const OverlapSide *nearest = nullptr;
         double least = 4 * near_;
         for (const OverlapSide &other : found_.sides) {
@@ -188,7 +190,8 @@ private:
                 continue;
             }
             const double apart = far(there, other.axis, end[other.fixed()] - other.at);
-            if (apart <= least) {
+            const Vector3 &own_way = here.slope[1 - side.axis], &way = there.slope[1 - other.axis];
+            if (apart <= least && length(cross(own_way, way)) > least_sine * length(own_way) * length(way)) {
                 least = apart;
                 nearest = &other;
             }

@@ -12,7 +12,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_looks = 40000;           // at parts of the domain, and of pairs
-constexpr int most_looks_at_a_pair = 64;    // that is left open
+constexpr int most_looks_at_a_pair = 1024;  // that is left open
 constexpr double share_of_tolerance = 0.75; // the rest is for what is beyond sides of pieces by rounding
 constexpr PlaceBox whole{Interval{0, 1}, Interval{0, 1}};
 
