@@ -238,35 +238,55 @@ bool OverlapMap::can_be_sampled() const noexcept {
     return (2 * m + 1) * (2 * n + 1) <= most_samples;
 }
 
-double OverlapMap::height_of(const Gap &gap) const noexcept {
-    const double off = std::max(gap.across[0], gap.across[1]) / (1 - rho_);
-    return gap.height + off * (slopes_[0] + slopes_[1]);
+// From the largest differences in places; factor: what they may be larger by elsewhere, both weights left out.
+void OverlapMap::set_bounds(const Gap &gap, double factor, double noise) {
+    double across = 0;
+    for (size_t i = 0; i < 2; ++i) {
+        across = std::max(across, factor * gap.across[i] + length(rows_[i]) * noise);
+    }
+    off_ = across / (1 - rho_);
+    height_ = 1.01 * (factor * gap.height + noise + off_ * (slopes_[0] + slopes_[1]));
+    for (size_t k = 0; k < 2; ++k) {
+        const double room = off_ * lengths_[k] + 64 * eps;
+        feet_[k] = {hull_[k].lower - room, hull_[k].upper + room};
+    }
 }
 
-void OverlapMap::set_bounds() {
+OverlapMap::Verdict OverlapMap::verdict(const PlaceBox *with) {
+    if (!(off_ <= widening / 2)) {
+        return Verdict::open;
+    }
+    if (with != nullptr && !have_common(feet_, *with)) {
+        return Verdict::beside;
+    }
+    if (height_ <= tolerance_) {
+        return Verdict::along;
+    }
+    return with != nullptr && set_side(*with) ? Verdict::touching : Verdict::open;
+}
+
+// Bounds only grow from one row of samples to the next.
+OverlapMap::Verdict OverlapMap::verdict_of_samples(const PlaceBox *with) {
     Gap gap;
     const auto [m, n] = degrees_of_gap();
     const auto place = [](int i, int degree) {
         return (1 - std::cos(std::numbers::pi * i / (2 * degree))) / 2;
     };
+    const double weights = weight_of_a_ * weight_of_b_,
+                 noise = 8 * (a_->error + beyond_ * b_->error + 32 * eps) *
+                         (a_->largest_weight * b_->largest_weight * beyond_) / weights;
+    Verdict result = Verdict::open;
     for (int i = 0; i <= 2 * m; ++i) {
         for (int j = 0; j <= 2 * n; ++j) {
             add_gap({place(i, m), place(j, n)}, gap);
         }
+        set_bounds(gap, 2.02 / weights, noise);
+        result = verdict(with);
+        if (result == Verdict::open) {
+            break;
+        }
     }
-    const double weights = weight_of_a_ * weight_of_b_,
-                 noise = 8 * (a_->error + beyond_ * b_->error + 32 * eps) *
-                         (a_->largest_weight * b_->largest_weight * beyond_) / weights;
-    for (size_t i = 0; i < 2; ++i) {
-        gap.across[i] = 2.02 * gap.across[i] / weights + length(rows_[i]) * noise;
-    }
-    gap.height = 2.02 * gap.height / weights + noise;
-    off_ = std::max(gap.across[0], gap.across[1]) / (1 - rho_);
-    height_ = 1.01 * height_of(gap);
-    for (size_t k = 0; k < 2; ++k) {
-        const double room = off_ * lengths_[k] + 64 * eps;
-        feet_[k] = {hull_[k].lower - room, hull_[k].upper + room};
-    }
+    return result;
 }
 
 double OverlapMap::room_on(const CrossPiece &piece, size_t axis, double near) noexcept {
@@ -303,25 +323,13 @@ OverlapMap::Verdict OverlapMap::look(const CrossPiece &a, const PlaceBox &part, 
         if (!interpolate(degree, start) || !set_chart(with)) {
             return Verdict::open;
         }
-        const Gap few = estimate();
-        feet_ = hull_;
-        const bool near = height_of(few) <= tolerance_ * a.largest_weight * b.largest_weight,
-                   apart = with != nullptr && set_side(*with);
-        if ((!near && !apart) || !can_be_sampled()) {
+        set_bounds(estimate(), 1 / (a.largest_weight * b.largest_weight), 0);
+        if (!can_be_sampled() || verdict(with) == Verdict::open) {
             continue;
         }
-        set_bounds();
-        if (!(off_ <= widening / 2)) {
-            continue;
-        }
-        if (with != nullptr && !have_common(feet_, *with)) {
-            return Verdict::beside;
-        }
-        if (height_ <= tolerance_) {
-            return Verdict::along;
-        }
-        if (with != nullptr && set_side(*with)) {
-            return Verdict::touching;
+        const Verdict result = verdict_of_samples(with);
+        if (result != Verdict::open) {
+            return result;
         }
     }
     return Verdict::open;

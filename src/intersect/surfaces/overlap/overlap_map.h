@@ -53,9 +53,10 @@ private:
     void add_gap(const std::array<double, 2> &at, Gap &gap) const;
     [[nodiscard]] Gap estimate() const;
     [[nodiscard]] bool can_be_sampled() const noexcept;
-    void set_bounds();
+    void set_bounds(const Gap &gap, double factor, double noise);
+    Verdict verdict(const PlaceBox *with);
+    Verdict verdict_of_samples(const PlaceBox *with);
     bool set_side(const PlaceBox &with);
-    [[nodiscard]] double height_of(const Gap &gap) const noexcept;
     [[nodiscard]] std::array<double, 2> place_on_a(const std::array<double, 2> &at) const noexcept;
     [[nodiscard]] std::array<int, 2> degrees_of_gap() const noexcept;
 
