@@ -6144,7 +6144,7 @@ NURBS_API nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t 
 /** \brief The nodes of a meet: where branches end, and where there may be more than they tell.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
- * \param[out] levels [cap] or NULL: index of the plane, 0-based.
+ * \param[out] levels [cap] or NULL: index of the plane, 0-based; of overlaps the number of the region, from 1.
  * \param[out] kinds [cap] or NULL: one of the NURBS_NODE_ constants each.
  * \param[out] params [cap][2] or NULL: parameters of the surface; of a part its middle.
  * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis. Where the surface

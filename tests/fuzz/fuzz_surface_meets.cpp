@@ -83,7 +83,7 @@ void look_at(const nurbs_meet *found) {
     std::vector<int32_t> own_kinds(static_cast<size_t>(branches));
     FUZZ_REQUIRE(nurbs_meet_kinds(found, branches, own_kinds.data(), nullptr) == NURBS_OK);
     for (const int32_t kind : own_kinds) {
-        FUZZ_REQUIRE(kind >= NURBS_BRANCH_CROSSING && kind <= NURBS_BRANCH_TOUCH);
+        FUZZ_REQUIRE(kind >= NURBS_BRANCH_CROSSING && kind <= NURBS_BRANCH_OVERLAP);
     }
     for (int64_t i = 0; i < std::min<int64_t>(branches, 16); ++i) {
         nurbs *space = nullptr, *on = nullptr, *on_second = nullptr;
