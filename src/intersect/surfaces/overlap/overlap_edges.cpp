@@ -70,6 +70,7 @@ private:
     struct Kept {
         Part part;
         bool forward;
+        const OverlapSide *along; // of the other surface; null: it runs inside of that
     };
 
     [[nodiscard]] const OverlapSide &side_of(const Part &part) const noexcept {
@@ -180,7 +181,12 @@ private:
         return at && ground_.apart(result_.nodes[node], *at) <= 2 * near_ ? at : std::nullopt;
     }
 
-    [[nodiscard]] std::optional<ContactPoint> contact(const OverlapSide &side, const CrossPlace &at) const {
+    [[nodiscard]] std::optional<ContactPoint> contact(const OverlapSide &side, const OverlapSide *along,
+                                                      const CrossPlace &place) const {
+        CrossPlace at = place;
+        if (along != nullptr) {
+            at[along->fixed()] = along->at;
+        }
         const std::array<std::optional<OverlapGround::Point>, 2> points{ground_.point(0, at.data()),
                                                                         ground_.point(1, at.data() + 2)};
         if (!points[0] || !points[1]) {
@@ -200,15 +206,18 @@ private:
         point.along = (1 / speed) * tangent;
         point.across = cross(point.normal, point.along);
         for (size_t s = 0; s < 2; ++s) {
-            const auto along = parameters_along(points[s]->slope, point.along),
-                       across = parameters_along(points[s]->slope, point.across);
+            const auto way = parameters_along(points[s]->slope, point.along),
+                       other_way = parameters_along(points[s]->slope, point.across);
             for (size_t k = 0; k < 2; ++k) {
-                point.along_on[2 * s + k] = along[k];
-                point.across_on[2 * s + k] = across[k];
+                point.along_on[2 * s + k] = way[k];
+                point.across_on[2 * s + k] = other_way[k];
             }
         }
         point.along_on[side.fixed()] = 0;
         point.along_on[side.free()] = 1 / speed;
+        if (along != nullptr) {
+            point.along_on[along->fixed()] = 0;
+        }
         return point;
     }
 
@@ -256,6 +265,7 @@ private:
                 continue;
             }
             bool keeps = true;
+            const OverlapSide *along = nullptr;
             for (size_t j = i + 1; j < parts_.size(); ++j) {
                 if (told[j] || side_of(parts_[j]).surface == side.surface || !runs_along(*at, parts_[j])) {
                     continue;
@@ -264,6 +274,7 @@ private:
                     return false;
                 }
                 told[j] = true;
+                along = &side_of(parts_[j]);
                 const auto other = sense_at(side_of(parts_[j]), *at);
                 keeps = keeps && other && is_inside_same(*sense, *other);
             }
@@ -273,7 +284,7 @@ private:
                     std::swap(edge.nodes[0], edge.nodes[1]);
                 }
                 result_.edges.push_back(std::move(edge));
-                kept_.push_back({part, sense->forward});
+                kept_.push_back({part, sense->forward, along});
             } else {
                 leave(part);
             }
@@ -342,7 +353,7 @@ private:
         const OverlapSide &side = side_of(kept.part);
         const size_t free = side.free();
         const CrossPlace &end = kept.part.ends[1];
-        std::optional<ContactPoint> from = contact(side, kept.part.ends[0]);
+        std::optional<ContactPoint> from = contact(side, kept.along, kept.part.ends[0]);
         const double whole = end[free] - kept.part.ends[0][free];
         double step = whole / 4;
         while (from && from->at[free] < end[free]) {
@@ -356,7 +367,7 @@ private:
             CrossSegment segment;
             std::optional<ContactPoint> there;
             if (to[free] > from->at[free] && stop_at_break(side, from->at, to)) {
-                there = contact(side, to);
+                there = contact(side, kept.along, to);
             }
             if (there && tracer_.fit(*from, *there, 1, segment)) {
                 edge.segments.push_back(segment);
@@ -421,7 +432,7 @@ private:
         const bool rises = to[coordinate] > from[coordinate];
         for (int i = 0; i < steps; ++i) {
             const auto next = follower_.next(side, from, t);
-            const auto point = next ? contact(side, *next) : std::nullopt;
+            const auto point = next ? contact(side, nullptr, *next) : std::nullopt;
             if (!point) {
                 return false;
             }

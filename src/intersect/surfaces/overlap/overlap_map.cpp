@@ -208,13 +208,13 @@ bool OverlapMap::set_chart(const PlaceBox *with) {
 }
 
 // F = A - B(psi), times both weights.
-void OverlapMap::add_gap(const std::array<double, 2> &at, Gap &gap) const {
-    const Homogeneous a = homogeneous(*a_, place_on_a(at)), b = homogeneous(*b_, foot(at));
+void OverlapMap::add_gap(const Homogeneous &a, const std::array<double, 2> &foot, Gap &gap) const {
+    const Homogeneous b = homogeneous(*b_, foot);
     const Vector3 away{b[3] * a[0] - a[3] * b[0], b[3] * a[1] - a[3] * b[1], b[3] * a[2] - a[3] * b[2]};
     gap.across[0] = std::max(gap.across[0], std::abs(dot(rows_[0], away)));
     gap.across[1] = std::max(gap.across[1], std::abs(dot(rows_[1], away)));
     gap.height = std::max(gap.height, std::abs(dot(normal_, away)));
-    count_work(5 * (a_->piece.coefficients() + b_->piece.coefficients()));
+    count_work(4 * b_->piece.coefficients() + 20);
 }
 
 // In a few places.
@@ -222,7 +222,7 @@ OverlapMap::Gap OverlapMap::estimate() const {
     Gap gap;
     for (const double u : {0.13, 0.5, 0.81}) {
         for (const double v : {0.17, 0.5, 0.85}) {
-            add_gap({u, v}, gap);
+            add_gap(homogeneous(*a_, place_on_a({u, v})), foot({u, v}), gap);
         }
     }
     return gap;
@@ -265,20 +265,63 @@ OverlapMap::Verdict OverlapMap::verdict(const PlaceBox *with) {
     return with != nullptr && set_side(*with) ? Verdict::touching : Verdict::open;
 }
 
+namespace {
+
+// Bernstein functions [2 n + 1][degree + 1] at the Chebyshev points of [0, 1], moved to a range.
+std::vector<double> functions_at_samples(int n, int degree, const Interval &range) {
+    const auto order = static_cast<size_t>(degree) + 1;
+    std::vector<double> functions(static_cast<size_t>(2 * n + 1) * order);
+    for (int i = 0; i <= 2 * n; ++i) {
+        const double at = (1 - std::cos(std::numbers::pi * i / (2 * n))) / 2;
+        bernstein_functions(degree, range.lower + at * (range.upper - range.lower),
+                            functions.data() + static_cast<size_t>(i) * order);
+    }
+    return functions;
+}
+
+// Sums of layers of `inner` values each, and of the values of such a sum.
+void add_layers(const double *functions, size_t order, const double *layers, size_t inner,
+                double *sum) noexcept {
+    std::fill_n(sum, inner, 0.0);
+    for (size_t i = 0; i < order; ++i) {
+        for (size_t c = 0; c < inner; ++c) {
+            sum[c] += functions[i] * layers[i * inner + c];
+        }
+    }
+}
+
+} // namespace
+
 // Bounds only grow from one row of samples to the next.
 OverlapMap::Verdict OverlapMap::verdict_of_samples(const PlaceBox *with) {
-    Gap gap;
     const auto [m, n] = degrees_of_gap();
-    const auto place = [](int i, int degree) {
-        return (1 - std::cos(std::numbers::pi * i / (2 * degree))) / 2;
-    };
+    const auto p = static_cast<size_t>(a_->degrees[0]) + 1, q = static_cast<size_t>(a_->degrees[1]) + 1,
+               r = static_cast<size_t>(degree_) + 1;
+    const Interval unit{0, 1};
+    const std::vector<double> of_a_u = functions_at_samples(m, a_->degrees[0], part_[0]),
+                              of_a_v = functions_at_samples(n, a_->degrees[1], part_[1]),
+                              of_foot_u = functions_at_samples(m, degree_, unit),
+                              of_foot_v = functions_at_samples(n, degree_, unit);
     const double weights = weight_of_a_ * weight_of_b_,
                  noise = 8 * (a_->error + beyond_ * b_->error + 32 * eps) *
                          (a_->largest_weight * b_->largest_weight * beyond_) / weights;
+    std::array<double, 4 * (max_degree + 1)> row;
+    std::array<std::array<double, 4>, 2> foot_row;
+    Gap gap;
     Verdict result = Verdict::open;
-    for (int i = 0; i <= 2 * m; ++i) {
-        for (int j = 0; j <= 2 * n; ++j) {
-            add_gap({place(i, m), place(j, n)}, gap);
+    for (size_t i = 0; i <= 2 * static_cast<size_t>(m); ++i) {
+        add_layers(&of_a_u[i * p], p, a_->piece.record(0), 4 * q, row.data());
+        for (size_t k = 0; k < 2; ++k) {
+            add_layers(&of_foot_u[i * r], r, psi_[k].data(), r, foot_row[k].data());
+        }
+        for (size_t j = 0; j <= 2 * static_cast<size_t>(n); ++j) {
+            Homogeneous a;
+            std::array<double, 2> foot;
+            add_layers(&of_a_v[j * q], q, row.data(), 4, a.data());
+            for (size_t k = 0; k < 2; ++k) {
+                add_layers(&of_foot_v[j * r], r, foot_row[k].data(), 1, &foot[k]);
+            }
+            add_gap(a, foot, gap);
         }
         set_bounds(gap, 2.02 / weights, noise);
         result = verdict(with);

@@ -50,7 +50,7 @@ private:
     bool find_foot(const Vector3 &of, const Vector3 &normal, std::array<double, 2> &place) const;
     bool set_chart(const PlaceBox *with);
     [[nodiscard]] std::array<double, 2> foot(const std::array<double, 2> &at) const;
-    void add_gap(const std::array<double, 2> &at, Gap &gap) const;
+    void add_gap(const Homogeneous &a, const std::array<double, 2> &foot, Gap &gap) const;
     [[nodiscard]] Gap estimate() const;
     [[nodiscard]] bool can_be_sampled() const noexcept;
     void set_bounds(const Gap &gap, double factor, double noise);
