@@ -38,6 +38,23 @@ double area_of(const Polygon &polygon) noexcept {
     return area;
 }
 
+// What is crossed on the way up, or along the first axis, with the sign of what is on its left there. Polygons around
+// axes that close have both ends.
+int crossings_of(const Polygon &polygon, const Place2 &at, bool up, bool closes) noexcept {
+    const size_t x = up ? 1 : 0, y = 1 - x;
+    int turns = 0;
+    for (size_t i = 0; i + (closes ? 0 : 1) < polygon.size(); ++i) {
+        const Place2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double side = (b[x] - a[x]) * (at[y] - a[y]) - (at[x] - a[x]) * (b[y] - a[y]);
+        if (a[y] <= at[y] && b[y] > at[y] && side > 0) {
+            ++turns;
+        } else if (a[y] > at[y] && b[y] <= at[y] && side < 0) {
+            --turns;
+        }
+    }
+    return up ? -turns : turns;
+}
+
 class LoopFinder {
 public:
     LoopFinder(const OverlapGround &ground, const OverlapEdges &edges) : ground_(ground), edges_(edges) {
@@ -47,12 +64,16 @@ public:
         }
     }
 
-    std::optional<std::vector<OverlapRegion>> run() {
+    std::optional<OverlapRegions> run() {
         if (!link()) {
             return std::nullopt;
         }
         find_loops();
-        return make_regions() ? std::optional(std::move(regions_)) : std::nullopt;
+        if (loops_.empty()) {
+            return OverlapRegions{{OverlapRegion{}}, true}; // all of a surface
+        }
+        return make_regions() ? std::optional(OverlapRegions{std::move(regions_), far_inside_})
+                              : std::nullopt;
     }
 
 private:
@@ -203,6 +224,7 @@ private:
             if (rest == none) {
                 rest = regions_.size();
                 regions_.emplace_back();
+                far_inside_ = true;
             }
             add_to(regions_[rest], *loop);
         }
@@ -269,6 +291,7 @@ private:
             add_to(regions_.back(), loop);
             is_open = above;
         }
+        far_inside_ = is_open;
         return true;
     }
 
@@ -281,26 +304,37 @@ private:
     std::vector<OverlapRegion> regions_; // strips first
     std::vector<Interval> strips_;
     size_t across_ = 0;
+    bool far_inside_ = false;
 };
 
 } // namespace
 
 int winding_of(const std::vector<std::array<double, 2>> &polygon, const std::array<double, 2> &at) noexcept {
-    int turns = 0;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-        const Place2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double side = (b[0] - a[0]) * (at[1] - a[1]) - (at[0] - a[0]) * (b[1] - a[1]);
-        if (a[1] <= at[1] && b[1] > at[1] && side > 0) {
-            ++turns;
-        } else if (a[1] > at[1] && b[1] <= at[1] && side < 0) {
-            --turns;
-        }
-    }
-    return turns;
+    return crossings_of(polygon, at, false, true);
 }
 
-std::optional<std::vector<OverlapRegion>> overlap_regions(const OverlapGround &ground,
-                                                          const OverlapEdges &edges) {
+bool OverlapRegions::hold(const OverlapGround &ground, const std::array<double, 2> &at) const noexcept {
+    const SurfaceBorders &borders = ground.borders(0);
+    const bool up = borders.wraps(0) && !borders.wraps(1); // rays lead along an axis that does not close
+    const std::array<int, 2> most{borders.wraps(0) ? 2 : 0, borders.wraps(1) ? 2 : 0};
+    int turns = far_inside ? 1 : 0;
+    for (const OverlapRegion &region : list) {
+        for (const Polygon &polygon : region.polygons) {
+            const Place2 &first = polygon.front(), &last = polygon.back();
+            const bool closes = std::abs(last[0] - first[0]) < borders.period(0) / 2 &&
+                                std::abs(last[1] - first[1]) < borders.period(1) / 2;
+            for (int i = -most[0]; i <= most[0]; ++i) {
+                for (int j = -most[1]; j <= most[1]; ++j) {
+                    const Place2 moved{at[0] + i * borders.period(0), at[1] + j * borders.period(1)};
+                    turns += crossings_of(polygon, moved, up, closes);
+                }
+            }
+        }
+    }
+    return turns > 0;
+}
+
+std::optional<OverlapRegions> overlap_regions(const OverlapGround &ground, const OverlapEdges &edges) {
     return LoopFinder(ground, edges).run();
 }
 

@@ -15,11 +15,19 @@ struct OverlapRegion {
     std::vector<std::vector<std::array<double, 2>>> polygons;
 };
 
-// None: edges make no loops, or it is left open what they bound.
-std::optional<std::vector<OverlapRegion>> overlap_regions(const OverlapGround &ground,
-                                                          const OverlapEdges &edges);
-
 // How often a polygon winds around a place.
 int winding_of(const std::vector<std::array<double, 2>> &polygon, const std::array<double, 2> &at) noexcept;
+
+struct OverlapRegions {
+    std::vector<OverlapRegion> list;
+    // Whether the side of the domain to which rays lead, or all of a surface without borders, is in one of them.
+    bool far_inside = false;
+
+    // Whether a place, through which no edge runs, is in one of them: by the edges that a ray across crosses.
+    [[nodiscard]] bool hold(const OverlapGround &ground, const std::array<double, 2> &at) const noexcept;
+};
+
+// None: edges make no loops, or it is left open what they bound.
+std::optional<OverlapRegions> overlap_regions(const OverlapGround &ground, const OverlapEdges &edges);
 
 } // namespace nrb::intersect

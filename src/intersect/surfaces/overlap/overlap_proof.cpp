@@ -43,8 +43,10 @@ void halve(const CrossPiece &piece, const PlaceBox &places, Push &&push) {
 
 } // namespace
 
-OverlapProof::OverlapProof(const OverlapGround &ground, const OverlapEdges &edges, double near)
-    : ground_(ground), edges_(edges), near_(near), map_(share_of_tolerance * near), left_(most_looks) {
+OverlapProof::OverlapProof(const OverlapGround &ground, const OverlapEdges &edges,
+                           const OverlapRegions &regions, double near)
+    : ground_(ground), edges_(edges), regions_(regions), near_(near), map_(share_of_tolerance * near),
+      left_(most_looks) {
     for (const OverlapEdge &edge : edges.edges) {
         for (const CrossSegment &segment : edge.segments) {
             EdgePart part{{}, {}, {}};
@@ -183,19 +185,21 @@ OverlapProof::State OverlapProof::look_along(const Part &part, const std::array<
 OverlapProof::State OverlapProof::look(const Part &part) {
     const std::optional<std::array<double, 2>> edge = edge_in(part);
     const std::array<double, 2> middle = parameters(part, 0.5, 0.5);
+    count_work(100 * std::ssize(edge_parts_));
+    if (!edge && !regions_.hold(ground_, middle)) {
+        return State::done;
+    }
     const std::optional<OverlapGround::Point> point = ground_.point(0, middle.data());
-    if (!point) {
+    const auto foot = point ? ground_.nearest(1, point->at, near_) : std::nullopt;
+    if (!foot && !edge) {
         return State::failed;
     }
-    const std::optional<std::array<double, 2>> foot = ground_.nearest(1, point->at, near_ / 2);
-    if (!foot && !edge) {
-        return State::done; // outside
-    }
-    const State state = look_along(part, foot ? *foot : *edge, !edge);
     // What is small is as near as its middle, or as an edge.
     const CrossCell cell(*part.piece, part.places);
-    const bool done = state == State::done || cell.size() + cell.error() <= near_ / 4;
-    if (done && foot && !edge) {
+    const bool done =
+        look_along(part, foot ? *foot : *edge, !edge) == State::done ||
+        (cell.size() + cell.error() <= near_ / 4 && (edge || ground_.nearest(1, point->at, near_ / 2)));
+    if (done && !edge) {
         inside_[part.piece].push_back(part.places);
     }
     return done ? State::done : State::halve;

@@ -3,20 +3,20 @@
 #pragma once
 
 #include "intersect/surfaces/cross_search.h"
-#include "intersect/surfaces/overlap/overlap_edges.h"
+#include "intersect/surfaces/overlap/overlap_loops.h"
 #include "intersect/surfaces/overlap/overlap_map.h"
 
 #include <map>
 
 namespace nrb::intersect {
 
-// The domain of the first surface is halved into parts: no edge runs through a part and its middle is far from the other surface,
-// so that it is outside, as regions end in edges only; or the part lies along pieces of the other surface (OverlapMap), beyond it
-// where an edge runs through.
+// The domain of the first surface is halved into parts: a part is outside of regions, if its middle is and no edge runs through;
+// or it lies along pieces of the other surface (OverlapMap), beyond it where an edge runs through.
 class OverlapProof {
 public:
     // near: within which surfaces are one, in the frame.
-    OverlapProof(const OverlapGround &ground, const OverlapEdges &edges, double near);
+    OverlapProof(const OverlapGround &ground, const OverlapEdges &edges, const OverlapRegions &regions,
+                 double near);
 
     // Of all that is on the left of edges.
     [[nodiscard]] bool prove();
@@ -39,7 +39,6 @@ private:
     enum class State { done, halve, failed };
 
     [[nodiscard]] std::array<double, 2> parameters(const Part &part, double u, double v) const noexcept;
-    [[nodiscard]] std::optional<std::array<double, 2>> place_beside(const Part &part);
     State look(const Part &part);
     State look_along(const Part &part, const std::array<double, 2> &beside, bool inside);
     bool lies_along(const Part &part, const CrossPiece &other, const std::array<double, 2> &start);
@@ -55,6 +54,7 @@ private:
 
     const OverlapGround &ground_;
     const OverlapEdges &edges_;
+    const OverlapRegions &regions_;
     double near_;
     OverlapMap map_;
     struct EdgePart {

@@ -17,7 +17,8 @@ using Place2 = std::array<double, 2>;
 
 // Inside of a region, as far from one of its edges as is found.
 std::optional<CrossPlace> place_inside(const OverlapGround &ground, const OverlapEdges &edges,
-                                       const OverlapRegion &region, double near) {
+                                       const OverlapRegions &regions, const OverlapRegion &region,
+                                       double near) {
     const auto place_at = [&](const Place2 &at) -> std::optional<CrossPlace> {
         const auto point = ground.point(0, at.data());
         const auto foot = point ? ground.nearest(1, point->at, near) : std::nullopt;
@@ -46,7 +47,7 @@ std::optional<CrossPlace> place_inside(const OverlapGround &ground, const Overla
         for (const auto &polygon : region.polygons) {
             turns += winding_of(polygon, at);
         }
-        if (inside && (wraps || turns == 1)) {
+        if (inside && (wraps ? regions.hold(ground, at) : turns == 1)) {
             if (const auto place = place_at(at)) {
                 return place;
             }
@@ -76,12 +77,12 @@ public:
             const int axis = static_cast<int>(k);
             ranges_[k] = {infinity, -infinity};
             ranges_[2 + k] = {infinity, -infinity};
-            if (overlaps_.regions[region].loops.empty()) {
+            if (overlaps_.regions.list[region].loops.empty()) {
                 ranges_[k] = {a_.grid.break_at(axis, 0), a_.grid.break_at(axis, a_.grid.count(axis))};
                 ranges_[2 + k] = {b_.grid.break_at(axis, 0), b_.grid.break_at(axis, b_.grid.count(axis))};
             }
         }
-        for (const OverlapLoop &loop : overlaps_.regions[region].loops) {
+        for (const OverlapLoop &loop : overlaps_.regions.list[region].loops) {
             add(loop);
         }
         add_region(overlaps_.places[region]);
@@ -214,22 +215,20 @@ std::optional<Overlaps> find_overlaps(const OverlapGround &ground, const Contact
         return std::nullopt;
     }
     Overlaps result{std::move(*edges), {}, {}};
-    std::optional<std::vector<OverlapRegion>> regions = overlap_regions(ground, result.edges);
+    std::optional<OverlapRegions> regions = overlap_regions(ground, result.edges);
     if (!regions) {
         return std::nullopt;
     }
     result.regions = std::move(*regions);
-    if (result.edges.edges.empty()) {
-        result.regions.emplace_back(); // all of it
-    }
-    for (const OverlapRegion &region : result.regions) {
-        const std::optional<CrossPlace> inside = place_inside(ground, result.edges, region, near);
+    for (const OverlapRegion &region : result.regions.list) {
+        const std::optional<CrossPlace> inside =
+            place_inside(ground, result.edges, result.regions, region, near);
         if (!inside) {
             return std::nullopt;
         }
         result.places.push_back(*inside);
     }
-    OverlapProof proof(ground, result.edges, near);
+    OverlapProof proof(ground, result.edges, result.regions, near);
     if (!proof.prove()) {
         return std::nullopt;
     }
@@ -243,7 +242,7 @@ std::optional<Overlaps> find_overlaps(const OverlapGround &ground, const Contact
 void add_overlaps(const Overlaps &overlaps, const pieces::Frame &frame, const CrossSurface &a,
                   const CrossSurface &b, Meet &meet) {
     RegionBranches branches(overlaps, frame, a, b, meet);
-    for (size_t region = 0; region < overlaps.regions.size(); ++region) {
+    for (size_t region = 0; region < overlaps.regions.list.size(); ++region) {
         branches.add(region);
     }
 }

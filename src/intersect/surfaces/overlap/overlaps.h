@@ -11,7 +11,7 @@ namespace nrb::intersect {
 
 struct Overlaps {
     OverlapEdges edges;
-    std::vector<OverlapRegion> regions;
+    OverlapRegions regions;
     std::vector<CrossPlace> places; // inside of each
 };
 
