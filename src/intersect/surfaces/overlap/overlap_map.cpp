@@ -337,7 +337,6 @@ double OverlapMap::room_on(const CrossPiece &piece, size_t axis, double near) no
     return std::min(near / (32 * slope), 0x1p-8);
 }
 
-// The side of a box that feet are beyond, but for a little.
 bool OverlapMap::set_side(const PlaceBox &with) {
     for (size_t k = 0; k < 2; ++k) {
         const double room = room_on(*b_, k, 16 * tolerance_);

@@ -34,6 +34,8 @@ public:
     Verdict look(const CrossPiece &a, const PlaceBox &part, const CrossPiece &b,
                  const std::array<double, 2> &start, const PlaceBox *with);
     [[nodiscard]] const PlaceBox &feet() const noexcept { return feet_; }
+    // Whether feet() are beyond one of the sides of a box, but for what is within half of the tolerance from that side().
+    bool set_side(const PlaceBox &with);
     // The axis and the end.
     [[nodiscard]] const std::array<size_t, 2> &side() const noexcept { return side_; }
     // How far apart places on a piece may be along an axis that are taken for one, which are near / 32 apart in space.
@@ -56,7 +58,6 @@ private:
     void set_bounds(const Gap &gap, double factor, double noise);
     Verdict verdict(const PlaceBox *with);
     Verdict verdict_of_samples(const PlaceBox *with);
-    bool set_side(const PlaceBox &with);
     [[nodiscard]] std::array<double, 2> place_on_a(const std::array<double, 2> &at) const noexcept;
     [[nodiscard]] std::array<int, 2> degrees_of_gap() const noexcept;
 

@@ -194,7 +194,7 @@ OverlapProof::State OverlapProof::look(const Part &part) {
     if (!foot && !edge) {
         return State::failed;
     }
-    // What is small is as near as its middle, or as an edge.
+    // What is small is as near as its middle.
     const CrossCell cell(*part.piece, part.places);
     const bool done =
         look_along(part, foot ? *foot : *edge, !edge) == State::done ||
@@ -292,10 +292,21 @@ OverlapMap::Verdict OverlapProof::look(const Part &a, const Part &b) {
     return map_.look(*a.piece, a.places, *b.piece, start, &b.places);
 }
 
+// Whether a part has places in regions.
+bool OverlapProof::meets_region(const Part &part) const {
+    return edge_in(part) || regions_.hold(ground_, parameters(part, 0.5, 0.5));
+}
+
 // What is along a side of the second part only is in a region, if the first one is, or where the surface ends.
-bool OverlapProof::is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict) const {
-    if (verdict != OverlapMap::Verdict::touching) {
-        return verdict != OverlapMap::Verdict::open;
+bool OverlapProof::is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict) {
+    if (verdict == OverlapMap::Verdict::beside || verdict == OverlapMap::Verdict::open) {
+        return verdict == OverlapMap::Verdict::beside;
+    }
+    if (verdict == OverlapMap::Verdict::along && meets_region(a)) {
+        return true;
+    }
+    if (!map_.set_side(b.places)) {
+        return false;
     }
     const auto [axis, end] = map_.side();
     const double at = end == 0 ? b.places[axis].lower : b.places[axis].upper, of_piece = end == 0 ? 0 : 1;
@@ -329,7 +340,7 @@ bool OverlapProof::is_loose(const std::array<Interval, 4> &ranges) const {
 
 bool OverlapProof::is_along(const std::array<Interval, 4> &ranges) {
     const std::optional<Part> a = part_of(0, ranges.data()), b = part_of(1, ranges.data() + 2);
-    return a && b && !is_loose(ranges) && !work_ended() &&
+    return a && b && !is_loose(ranges) && !work_ended() && meets_region(*a) &&
            (is_known(*a, *b) || look(*a, *b) == OverlapMap::Verdict::along);
 }
 
