@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/surfaces/overlap/overlap_trace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double shortest_step = 0x1p-24; // of an edge
-constexpr size_t most_segments_of_an_edge = 20000;
 constexpr double least_cosine = 0.99; // of normals of surfaces that are one
 
 // A part of a run between nodes.
@@ -36,7 +35,7 @@ class EdgeMaker {
 public:
     EdgeMaker(const OverlapGround &ground, const ContactTracer &tracer, const OverlapBorders &borders,
               double near)
-        : ground_(ground), tracer_(tracer), borders_(borders), follower_(ground), near_(near) {}
+        : ground_(ground), tracer_(ground, tracer, near), borders_(borders), follower_(ground), near_(near) {}
 
     std::optional<OverlapEdges> run() {
         for (const OverlapRun &run : borders_.runs) {
@@ -59,7 +58,7 @@ public:
         }
         prune();
         for (size_t i = 0; i < kept_.size(); ++i) {
-            if (work_ended() || !trace(kept_[i], result_.edges[i])) {
+            if (work_ended() || !set_segments(kept_[i], result_.edges[i])) {
                 return std::nullopt;
             }
         }
@@ -179,46 +178,6 @@ private:
         }
         const std::optional<CrossPlace> at = follower_.at(side, run, std::clamp(t, first, last));
         return at && ground_.apart(result_.nodes[node], *at) <= 2 * near_ ? at : std::nullopt;
-    }
-
-    [[nodiscard]] std::optional<ContactPoint> contact(const OverlapSide &side, const OverlapSide *along,
-                                                      const CrossPlace &place) const {
-        CrossPlace at = place;
-        if (along != nullptr) {
-            at[along->fixed()] = along->at;
-        }
-        const std::array<std::optional<OverlapGround::Point>, 2> points{ground_.point(0, at.data()),
-                                                                        ground_.point(1, at.data() + 2)};
-        if (!points[0] || !points[1]) {
-            return std::nullopt;
-        }
-        ContactPoint point;
-        point.at = at;
-        point.a = points[0]->at;
-        point.b = points[1]->at;
-        const Vector3 normal = cross(points[1]->slope[0], points[1]->slope[1]),
-                      tangent = points[side.surface]->slope[1 - side.axis];
-        const double size = length(normal), speed = length(tangent);
-        if (!(size > 0 && speed > 0)) {
-            return std::nullopt;
-        }
-        point.normal = (1 / size) * normal;
-        point.along = (1 / speed) * tangent;
-        point.across = cross(point.normal, point.along);
-        for (size_t s = 0; s < 2; ++s) {
-            const auto way = parameters_along(points[s]->slope, point.along),
-                       other_way = parameters_along(points[s]->slope, point.across);
-            for (size_t k = 0; k < 2; ++k) {
-                point.along_on[2 * s + k] = way[k];
-                point.across_on[2 * s + k] = other_way[k];
-            }
-        }
-        point.along_on[side.fixed()] = 0;
-        point.along_on[side.free()] = 1 / speed;
-        if (along != nullptr) {
-            point.along_on[along->fixed()] = 0;
-        }
-        return point;
     }
 
     // Which way a side runs around a region there; none: the surfaces are not tangent, or it is not told.
@@ -348,44 +307,12 @@ private:
         }
     }
 
-    // Cubics from one end to the other, and no longer than pieces of either surface.
-    bool trace(const Kept &kept, OverlapEdge &edge) const {
-        const OverlapSide &side = side_of(kept.part);
-        const size_t free = side.free();
-        const CrossPlace &end = kept.part.ends[1];
-        std::optional<ContactPoint> from = contact(side, kept.along, kept.part.ends[0]);
-        const double whole = end[free] - kept.part.ends[0][free];
-        double step = whole / 4;
-        while (from && from->at[free] < end[free]) {
-            const double left = end[free] - from->at[free];
-            count_work(1000);
-            CrossPlace to = end;
-            if (step < 0.8 * left) {
-                const auto next = follower_.next(side, from->at, from->at[free] + step);
-                to = next ? *next : from->at;
-            }
-            CrossSegment segment;
-            std::optional<ContactPoint> there;
-            if (to[free] > from->at[free] && stop_at_break(side, from->at, to)) {
-                there = contact(side, kept.along, to);
-            }
-            if (there && tracer_.fit(*from, *there, 1, segment)) {
-                edge.segments.push_back(segment);
-                from = there;
-                step *= segment.deviation < near_ / 32 ? 1.5 : 1;
-                continue;
-            }
-            step = std::min(step, left) / 2;
-            if (step < shortest_step * whole || edge.segments.size() > most_segments_of_an_edge ||
-                work_ended()) {
-                return false;
-            }
-        }
-        if (!from || edge.segments.empty()) {
+    bool set_segments(const Kept &kept, OverlapEdge &edge) const {
+        auto segments = tracer_.trace(side_of(kept.part), kept.along, kept.part.ends[0], kept.part.ends[1]);
+        if (!segments) {
             return false;
         }
-        set_end(kept.part.ends[0], edge.segments.front(), 0);
-        set_end(kept.part.ends[1], edge.segments.back(), 3);
+        edge.segments = std::move(*segments);
         if (!kept.forward) {
             std::ranges::reverse(edge.segments);
             for (CrossSegment &segment : edge.segments) {
@@ -396,61 +323,9 @@ private:
         }
         return true;
     }
-    // The bits of a node.
-    void set_end(const CrossPlace &at, CrossSegment &segment, size_t place) const noexcept {
-        for (size_t i = 0; i < 4; ++i) {
-            double &x = segment.on[i / 2][place][i % 2];
-            if (std::abs(x - at[i]) <= 0x1p-40 * ground_.borders(i / 2).period(i % 2)) {
-                x = at[i];
-            }
-        }
-    }
-    // At the first break on the way.
-    bool stop_at_break(const OverlapSide &side, const CrossPlace &from, CrossPlace &to) const {
-        constexpr int steps = 12;
-        const size_t free = side.free();
-        size_t coordinate = 4;
-        double share = 1, at = 0;
-        for (size_t i = 0; i < 4; ++i) {
-            const double line = tracer_.break_between(i, from[i], to[i]),
-                         own = (line - from[i]) / (to[i] - from[i]);
-            if (own < share) {
-                share = own;
-                coordinate = i;
-                at = line;
-            }
-        }
-        if (coordinate == 4) {
-            return true;
-        }
-        if (coordinate == free) {
-            const auto next = follower_.next(side, from, at);
-            to = next ? *next : from;
-            return next.has_value();
-        }
-        double lower = from[free], upper = to[free], t = lower + share * (upper - lower);
-        const bool rises = to[coordinate] > from[coordinate];
-        for (int i = 0; i < steps; ++i) {
-            const auto next = follower_.next(side, from, t);
-            const auto point = next ? contact(side, nullptr, *next) : std::nullopt;
-            if (!point) {
-                return false;
-            }
-            to = *next;
-            const double off = at - to[coordinate];
-            ((off > 0) == rises ? lower : upper) = t;
-            const double by = off / point->along_on[coordinate] * point->along_on[free];
-            t = t + by > lower && t + by < upper ? t + by : lower / 2 + upper / 2;
-            if (std::abs(by) <= 0x1p-50 * (upper - from[free])) {
-                break;
-            }
-        }
-        to[coordinate] = at;
-        return to[free] > from[free];
-    }
 
     const OverlapGround &ground_;
-    const ContactTracer &tracer_;
+    OverlapTracer tracer_;
     const OverlapBorders &borders_;
     OverlapFollower follower_;
     double near_;

@@ -354,7 +354,7 @@ bool OverlapProof::covers(const std::array<Interval, 4> &ranges) {
     }
     std::vector<std::pair<Part, Part>> stack{{*a, *b}};
     for (int looks = 0; !stack.empty(); ++looks) {
-        const auto [first, second] = stack.back();
+        const Part first = stack.back().first, second = stack.back().second;
         stack.pop_back();
         if (is_known(first, second) || is_inside(first)) {
             continue;
