@@ -36,21 +36,23 @@ std::optional<CrossPlace> place_inside(const OverlapGround &ground, const Overla
                  way{(cubic[3][0] - cubic[0][0]) / sizes[0], (cubic[3][1] - cubic[0][1]) / sizes[1]},
                  middle{from[0] / 2 + cubic[3][0] / 2, from[1] / 2 + cubic[3][1] / 2};
     const double length = std::hypot(way[0], way[1]);
-    for (double step = wraps ? 0x1p-5 : 0.5; step > 0x1p-24; step *= wraps ? 0.5 : 0.77) {
+    const auto place_off = [&](double step) -> std::optional<CrossPlace> {
         const Place2 at{middle[0] - step * way[1] / length * sizes[0],
                         middle[1] + step * way[0] / length * sizes[1]};
-        bool inside = true;
-        for (size_t k = 0; k < 2; ++k) {
-            inside = inside && at[k] >= domain[k].lower && at[k] <= domain[k].upper;
-        }
         int turns = 0;
         for (const auto &polygon : region.polygons) {
             turns += winding_of(polygon, at);
         }
-        if (inside && (wraps ? regions.hold(ground, at) : turns == 1)) {
-            if (const auto place = place_at(at)) {
-                return place;
-            }
+        bool inside = wraps ? regions.hold(ground, at) : turns == 1;
+        for (size_t k = 0; k < 2; ++k) {
+            inside = inside && at[k] >= domain[k].lower && at[k] <= domain[k].upper;
+        }
+        return inside ? place_at(at) : std::nullopt;
+    };
+    for (double step = wraps ? 0x1p-5 : 0.5; step > 0x1p-24; step *= wraps ? 0.5 : 0.77) {
+        if (const auto place = place_off(step)) { // which may be on the other side of the region
+            const auto half = place_off(step / 2);
+            return half ? half : place;
         }
     }
     return std::nullopt;
