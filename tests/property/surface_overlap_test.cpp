@@ -293,6 +293,31 @@ TEST(SurfaceOverlap, BesideACrossing) {
     check_curves(overlap.crossing, Ground(a.get(), loop), Ground(b.get(), {false, false}));
 }
 
+// A strip that lies on a square, goes round, and comes back to touch it in a crease, or to end on it in one more overlap that is left
+// open: what is no region is told beside it, or left open.
+TEST(SurfaceOverlap, BesideWhatIsNone) {
+    const std::vector<std::vector<Corner>> profiles{
+        {{0, 0}, {1, 0}, {2, 1}, {1, 1}, {0.5, 0}, {0.2, 1}},
+        {{0, 0}, {1, 0}, {2, 1}, {1, 1}, {0.7, 0}, {0.3, 0}, {0.2, 1}}};
+    for (const std::vector<Corner> &profile : profiles) {
+        SplineData strip{{1, 1}, {std::ssize(profile), 2}, {{0}, {0, 0, 1, 1}}, 3, {}, {}, 0};
+        for (size_t i = 0; i < profile.size(); ++i) {
+            strip.knots[0].push_back(static_cast<double>(i));
+            strip.points.insert(strip.points.end(),
+                                {profile[i][0], 0, profile[i][1], profile[i][0], 1, profile[i][1]});
+        }
+        strip.knots[0].push_back(static_cast<double>(profile.size() - 1));
+        const Handle a = create(strip), b = create(bilinear({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, 0, 0));
+        const Overlap overlap = overlap_of(a.get(), b.get(), tolerance);
+        ASSERT_LE(overlap.regions.size(), 1U);
+        if (overlap.regions.size() == 1) {
+            EXPECT_NEAR(surface_overlaps::area_of(overlap), 1, 1e-9);
+        }
+        const bool crosses = std::ranges::count(overlap.crossing.kinds, NURBS_BRANCH_CROSSING) > 0;
+        EXPECT_TRUE(!overlap.crossing.found.complete || (crosses && profile.size() == 6));
+    }
+}
+
 // What shares an edge or a corner only has no region, nor has what double precision tells apart.
 TEST(SurfaceOverlap, NoRegions) {
     struct Pair {

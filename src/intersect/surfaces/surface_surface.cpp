@@ -62,6 +62,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
         const HalfOfWork half;
         overlaps = find_overlaps(OverlapGround(a, b, search.frame(), search.solver()), tracer, tolerance,
                                  in_frame, found);
+        meet.limited = meet.limited || work_ended();
     }
     const std::vector<ContactCurve> contacts = contact_curves(tracer, found);
     CrossChains chains = cross_chains(on_a, on_b, touch, found);
