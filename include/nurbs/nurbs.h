@@ -5939,10 +5939,10 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * within the tolerance of the other surface are known (nurbs_curve_surface_intersections()), so that it goes on until one
  * of the surfaces ends; it is cut into parts, of each of which the map to b is a polynomial in the parameters of
  * a, corrected by a contraction as above, and the distance over it is bounded by samples of a polynomial of known degree. What
- * both have in common in a region is not told otherwise, nor is whether more of b touches a there. If one of these proofs fails, as where surfaces part by more than the
- * tolerance inside of their borders, or it is left open what a border does, there is no region but a node UNDECIDED. Where
- * surfaces share only an edge there is none, and surfaces that double precision tells apart by less than the
- * tolerance have nothing in common.
+ * both have in common in a region is not told otherwise, nor is whether more of b touches a there. If one of these proofs
+ * fails, as where surfaces part by more than the tolerance inside of their borders, or it is left open what a border does, there
+ * is no region but a node UNDECIDED. Where surfaces share only an edge there is none, and surfaces that double precision
+ * tells apart by less than the tolerance have nothing in common.
  *
  * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
  *

@@ -211,44 +211,42 @@ private:
         }
         std::vector<bool> told(parts_.size(), false);
         for (size_t i = 0; i < parts_.size(); ++i) {
-            if (told[i]) {
-                continue;
-            }
-            const Part &part = parts_[i];
-            const OverlapSide &side = side_of(part);
-            const double middle = part.ends[0][side.free()] / 2 + part.ends[1][side.free()] / 2;
-            const auto at = follower_.at(side, borders_.runs[part.run], middle);
-            const auto sense = at ? sense_at(side, *at) : std::nullopt;
-            if (!at || !sense) {
-                leave(part);
-                continue;
-            }
-            bool keeps = true;
-            const OverlapSide *along = nullptr;
-            for (size_t j = i + 1; j < parts_.size(); ++j) {
-                if (told[j] || side_of(parts_[j]).surface == side.surface || !runs_along(*at, parts_[j])) {
-                    continue;
-                }
-                if (!has_same_ends(part, parts_[j])) {
-                    return false;
-                }
-                told[j] = true;
-                along = &side_of(parts_[j]);
-                const auto other = sense_at(side_of(parts_[j]), *at);
-                keeps = keeps && other && is_inside_same(*sense, *other);
-            }
-            if (keeps) {
-                OverlapEdge edge{part.nodes, part.closed, *at, {}};
-                if (!sense->forward) {
-                    std::swap(edge.nodes[0], edge.nodes[1]);
-                }
-                result_.edges.push_back(std::move(edge));
-                kept_.push_back({part, sense->forward, along});
-            } else {
-                leave(part);
+            if (!told[i] && !keep_edge(i, told)) {
+                return false;
             }
         }
         return true;
+    }
+    bool keep_edge(size_t i, std::vector<bool> &told) {
+        const Part &part = parts_[i];
+        const OverlapSide &side = side_of(part);
+        const double middle = part.ends[0][side.free()] / 2 + part.ends[1][side.free()] / 2;
+        const auto at = follower_.at(side, borders_.runs[part.run], middle);
+        const auto sense = at ? sense_at(side, *at) : std::nullopt;
+        bool keeps = sense.has_value();
+        const OverlapSide *along = nullptr;
+        for (size_t j = i + 1; keeps && j < parts_.size(); ++j) {
+            if (told[j] || side_of(parts_[j]).surface == side.surface || !runs_along(*at, parts_[j])) {
+                continue;
+            }
+            if (!has_same_ends(part, parts_[j])) {
+                return false;
+            }
+            told[j] = true;
+            along = &side_of(parts_[j]);
+            const auto other = sense_at(*along, *at);
+            keeps = other && is_inside_same(*sense, *other);
+        }
+        keeps ? keep(part, *at, sense->forward, along) : leave(part);
+        return true;
+    }
+    void keep(const Part &part, const CrossPlace &middle, bool forward, const OverlapSide *along) {
+        OverlapEdge edge{part.nodes, part.closed, middle, {}};
+        if (!forward) {
+            std::swap(edge.nodes[0], edge.nodes[1]);
+        }
+        result_.edges.push_back(std::move(edge));
+        kept_.push_back({part, forward, along});
     }
     void leave(const Part &part) {
         const std::vector<CrossPlace> &places = borders_.runs[part.run].places;
