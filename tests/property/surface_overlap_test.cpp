@@ -245,21 +245,25 @@ TEST(SurfaceOverlap, ClosedShapes) {
     }
 }
 
-// Around a hole the region is on the left, too.
+// Around a hole the region is on the left, too; circles touch lines along which parts are halved, if they begin at 0.
 TEST(SurfaceOverlap, Holes) {
-    const SplineData data_a = bilinear_flat(2), data_b = revolved(segment(1, 0, 0.5, 0), 0.2, 2 * pi);
-    const Handle a = create(data_a), b = create(data_b);
-    const Overlap overlap = overlap_of(a.get(), b.get(), tolerance);
-    EXPECT_TRUE(overlap.crossing.found.complete);
-    ASSERT_EQ(overlap.regions.size(), 1U);
-    EXPECT_EQ(overlap.regions[0].loops.size(), 2U);
-    check_loops(overlap);
-    check_curves(overlap.crossing, Ground(a.get(), data_a), Ground(b.get(), data_b));
-    check_inside(overlap, a.get(), b.get(), tolerance, 16);
-    EXPECT_NEAR(surface_overlaps::area_of(overlap), 0.75 * pi / 16, 1e-5);
+    for (const double start : {0.0, 0.2}) {
+        for (const double hole : {0.5, 0.0}) {
+            const SplineData data_a = bilinear_flat(2),
+                             data_b = revolved(segment(1, 0, hole, 0), start, 2 * pi);
+            const Handle a = create(data_a), b = create(data_b);
+            const Overlap overlap = overlap_of(a.get(), b.get(), tolerance);
+            EXPECT_TRUE(overlap.crossing.found.complete);
+            ASSERT_EQ(overlap.regions.size(), 1U);
+            EXPECT_EQ(overlap.regions[0].loops.size(), hole > 0 ? 2U : 1U);
+            check_loops(overlap);
+            check_curves(overlap.crossing, Ground(a.get(), data_a), Ground(b.get(), data_b));
+            check_inside(overlap, a.get(), b.get(), tolerance, 12);
+            EXPECT_NEAR(surface_overlaps::area_of(overlap), (1 - hole * hole) * pi / 16, 1e-5);
+        }
+    }
 }
 
-// A plane that is cut by two ends of a band in it, and a cylinder against a comb of it.
 TEST(SurfaceOverlap, SeveralRegions) {
     // A strip in the plane z = 0 that bends round in it as a horseshoe, and a strip across both legs.
     const SplineData data_a = revolved(segment(2, 0, 1, 0), 0, pi);

@@ -297,6 +297,24 @@ bool OverlapProof::meets_region(const Part &part) const {
     return edge_in(part) || regions_.hold(ground_, parameters(part, 0.5, 0.5));
 }
 
+// Whether a place of a region is beside a part: where an edge touches its side.
+bool OverlapProof::is_beside_region(const Part &part) const {
+    for (const double u : {-1.0, 0.5, 2.0}) {
+        for (const double v : {-1.0, 0.5, 2.0}) {
+            const std::array<double, 2> at = parameters(part, u, v);
+            bool inside = true;
+            for (size_t k = 0; k < 2; ++k) {
+                const Interval domain = ground_.domain(0, k);
+                inside = inside && at[k] >= domain.lower && at[k] <= domain.upper;
+            }
+            if (inside && regions_.hold(ground_, at)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 // What is along a side of the second part only is in a region, if the first one is, or where the surface ends.
 bool OverlapProof::is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict) {
     if (verdict == OverlapMap::Verdict::beside || verdict == OverlapMap::Verdict::open) {
@@ -362,6 +380,9 @@ bool OverlapProof::covers(const std::array<Interval, 4> &ranges) {
         const CrossCell cell(*first.piece, first.places), other(*second.piece, second.places);
         if (are_apart(cell, other) || is_told(first, second, look(first, second))) {
             continue;
+        }
+        if (cell.size() + cell.error() <= near_ / 8 && is_beside_region(first)) {
+            continue; // within the tolerance of it
         }
         if (work_ended() || left_ <= 0 || looks >= most_looks_at_a_pair) {
             return false;

@@ -49,6 +49,7 @@ private:
     bool is_known(const Part &a, const Part &b) const;
     OverlapMap::Verdict look(const Part &a, const Part &b);
     [[nodiscard]] bool meets_region(const Part &part) const;
+    [[nodiscard]] bool is_beside_region(const Part &part) const;
     bool is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict);
     [[nodiscard]] bool is_loose(const std::array<Interval, 4> &ranges) const;
     [[nodiscard]] std::optional<Part> part_of(size_t surface, const Interval *ranges) const;
