@@ -6106,7 +6106,7 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 #define NURBS_BRANCH_EDGE 2     /**< an edge that two faces share */
 #define NURBS_BRANCH_CONTACT                                                                                 \
     3                        /**< one at which both faces have the same tangent planes, somewhere at least */
-#define NURBS_BRANCH_TOUCH 4   /**< a curve along which surfaces have the same tangent planes: they touch */
+#define NURBS_BRANCH_TOUCH 4 /**< a curve along which surfaces have the same tangent planes: they touch */
 #define NURBS_BRANCH_OVERLAP 5 /**< a part of the boundary of a region in which surfaces are one */
 /** @} */
 
