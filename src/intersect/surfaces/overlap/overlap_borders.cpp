@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/surfaces/overlap/overlap_borders.h"
 
+#include "base/error.h"
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/curve_surface/curve_surface.h"
@@ -260,7 +261,11 @@ std::optional<CrossPlace> OverlapFollower::at(const OverlapSide &side, const Ove
 }
 
 std::optional<OverlapBorders> overlap_borders(const OverlapGround &ground, double tolerance, double near) {
-    return BorderFinder(ground, tolerance, near).run();
+    try {
+        return BorderFinder(ground, tolerance, near).run();
+    } catch (const Error &) { // weights vanish on a side, or it has no digits
+        return std::nullopt;
+    }
 }
 
 } // namespace nrb::intersect
