@@ -118,7 +118,7 @@ nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *b, double 
         check_dimension(first, 3, 3);
         check_dimension(second, 3, 3);
         check_positive_tolerance(tolerance);
-        give_meet(intersect::surface_intersections(first, second, tolerance), out);
+        give_meet(intersect::surface_intersections(first, second, tolerance, intersect::Regions::told), out);
     });
 }
 

@@ -5721,6 +5721,8 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
     5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
 #define NURBS_NODE_FOLD                                                                                      \
     6 /**< the surface folds as seen along the direction of a projection: another sheet goes on */
+#define NURBS_NODE_OVERLAP                                                                                   \
+    7 /**< a region in which two surfaces are within the tolerance of each other; no branch ends there */
 /** @} */
 
 /** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
@@ -5911,9 +5913,9 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  *   box no larger, and branches are not told apart in it: surfaces touch in a point, and no branch ends there; branches cross
  *   in a point in which the planes of tangents are one, and four ends are there; a loop, or a way between branches, that double
  *   precision does not tell from these; a pole.
- * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, in regions, or along curves
- *   across which their distance does not bend all along; a derivative vanishes; or the limit of work came first. Parts that
- *   hang together are one node.
+ * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, in regions that are no
+ *   overlaps, or along curves across which their distance does not bend all along; a derivative vanishes; or the limit of work
+ *   came first. Parts that hang together are one node.
  *
  * Branches of the kind NURBS_BRANCH_TOUCH (nurbs_meet_kinds()) are curves along which surfaces touch: in the parts around,
  * the second derivative of the height of one over the other across the curve is proven to have one sign, so that in each place
@@ -5922,16 +5924,36 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * derivative), and branches that double precision does not tell from it are not told apart. The deviation is that from both
  * surfaces.
  *
+ * A region in which both surfaces are one, to within the tolerance, is an overlap: parts of one plane, one cylinder or one
+ * spline, whatever their knots, degrees and parameters. Each has a level of its own, 1, 2, ..., and on it
+ * - one node OVERLAP: its params are a place inside on a, its second ones the place beside it on b, its ranges the boxes of
+ *   the region in both domains.
+ * - its boundary, branches of the kind NURBS_BRANCH_OVERLAP: parts of borders of a that run on b, and parts of borders of b
+ *   that run on a; what is both is told once. They are closed loops, one around the region and one around each hole, with
+ *   the region on the left in the domain of a, and in that of b where normals agree, on the right where they are
+ *   opposite. Each branch ends in the node BORDER in which the next one begins, or, where a surface closes on an axis that is not
+ *   periodic, in a node SEAM. Sides along which a surface closes, and poles, bound nothing: all of a closed surface has no
+ *   boundary.
+ *
+ * Proven of a region is that each place of a in it is no farther than the tolerance from b. All places at which borders lie
+ * within the tolerance of the other surface are known (nurbs_curve_surface_intersections()), so that it goes on until one
+ * of the surfaces ends; it is cut into parts, of each of which the map to b is a polynomial in the parameters of
+ * a, corrected by a contraction as above, and the distance over it is bounded by samples of a polynomial of known degree. What
+ * both have in common in a region is not told otherwise, nor is whether more of b touches a there. If one of these proofs
+ * fails, as where surfaces part by more than the tolerance inside of their borders, or it is left open what a border does, there
+ * is no region but a node UNDECIDED. Where surfaces share only an edge there is none, and surfaces that double precision
+ * tells apart by less than the tolerance have nothing in common.
+ *
  * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
  *
  * Outside of these the branches are all there is, to within their deviations. Branches along borders of pieces are told once, and
  * curves of their domains stay in these. Only curves are told: where just
  * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds for each pair
  * of pieces that meet, and for each piece of a curve. Where surfaces are one in a region, it is the number of pairs
- * of parts within the tolerance that ends the search.
+ * of parts within the tolerance that ends the search, after some ten milliseconds; proofs take up to a millisecond for each piece.
  * \param[in] a,b surfaces of dimension 3.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points.
- * \param[out] out the new meet; all of it has level 0. nurbs_meet_branch() gives curves in the domain of a,
+ * \param[out] out the new meet; all of it but overlaps has level 0. nurbs_meet_branch() gives curves in the domain of a,
  *   nurbs_meet_branch_second() those in the domain of b.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE.
  * \since 1.1 */
@@ -6064,7 +6086,7 @@ NURBS_API nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branch
 /** \brief What the branches of a meet belong to, and where they end.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of branches.
- * \param[out] levels [cap] or NULL: index of the plane, 0-based.
+ * \param[out] levels [cap] or NULL: index of the plane, 0-based; of overlaps the number of the region, from 1.
  * \param[out] end_nodes [cap][2] or NULL: the nodes at which each begins and ends, 0-based; -1: it closes.
  * \param[out] loops [cap] or NULL: the closed way that it is a part of, or all of, 0-based; those of one way follow
  *   each other in its direction, from one seam to the next. -1: none.
@@ -6085,13 +6107,14 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 #define NURBS_BRANCH_CONTACT                                                                                 \
     3                        /**< one at which both faces have the same tangent planes, somewhere at least */
 #define NURBS_BRANCH_TOUCH 4 /**< a curve along which surfaces have the same tangent planes: they touch */
+#define NURBS_BRANCH_OVERLAP 5 /**< a part of the boundary of a region in which surfaces are one */
 /** @} */
 
 /** \brief What the branches of a meet are.
  * \param[in] meet a meet.
  * \param[in] cap length of the output: 0, or at least the number of branches.
  * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each: EDGE and CONTACT in meets of faces only, TOUCH wherever two
- *   surfaces are met, trimmed or not.
+ *   surfaces are met, trimmed or not, OVERLAP in nurbs_surface_intersections() only.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -6121,7 +6144,7 @@ NURBS_API nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t 
 /** \brief The nodes of a meet: where branches end, and where there may be more than they tell.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
- * \param[out] levels [cap] or NULL: index of the plane, 0-based.
+ * \param[out] levels [cap] or NULL: index of the plane, 0-based; of overlaps the number of the region, from 1.
  * \param[out] kinds [cap] or NULL: one of the NURBS_NODE_ constants each.
  * \param[out] params [cap][2] or NULL: parameters of the surface; of a part its middle.
  * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis. Where the surface
@@ -6214,7 +6237,8 @@ NURBS_API nurbs_status nurbs_meet_joints_second(const nurbs_meet *meet, int64_t 
  * cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts are inside by the sides
  * of their middles (nurbs_face_classify()); what runs along a loop, to 1e-9 of the domain, is inside; where crossings
  * are undecided there is a node UNDECIDED. A closed branch that
- * is cut is cut where it begins, too, in two nodes SEAM. A node TOUCH stays if its middle is in the face, a node
+ * is cut is cut where it begins, too, in two nodes SEAM. Of an overlap that reaches into the face a node UNDECIDED is left, and
+ * none of its boundary. A node TOUCH stays if its middle is in the face, a node
  * UNDECIDED unless all of its part is outside. Deviations stay.
  * \param[in] meet of the surface of the face, or one with the same parameters; or of two, the first of which it is.
  * \param[in] face a face.

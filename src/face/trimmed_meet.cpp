@@ -39,7 +39,9 @@ public:
         keep_nodes();
         Steps steps(std::ssize(meet_.branches));
         for (const MeetBranch &branch : meet_.branches) {
-            add(branch);
+            if (branch.kind != intersect::BranchKind::overlap) {
+                add(branch);
+            }
             steps.next();
         }
         close_loops();
@@ -97,7 +99,7 @@ private:
         return {at[0], at[1]};
     }
 
-    // Those of branches come with them.
+    // Those of branches come with them. What a face leaves of a region is not told.
     void keep_nodes() {
         new_node_.assign(meet_.nodes.size(), -1);
         for (size_t i = 0; i < meet_.nodes.size(); ++i) {
@@ -105,6 +107,12 @@ private:
             if ((node.kind == NodeKind::undecided && !is_outside(range_of(node))) ||
                 (node.kind == NodeKind::touch && is_inside(place_of(node)))) {
                 new_node_[i] = add_node(node);
+            }
+            if (node.kind == NodeKind::overlap && !is_outside(range_of(node))) {
+                MeetNode open = node;
+                open.kind = NodeKind::undecided;
+                open.level = 0;
+                add_node(open);
             }
         }
     }

@@ -309,6 +309,9 @@ class Sections(unittest.TestCase):
         self.assertEqual(meet.kinds.tolist(), 2 * [nurbs.NURBS_BRANCH_CROSSING])
         ring = nurbs.torus(2, 0.5).meet(nurbs.plane([8, 0, 0], [0, 8, 0], [-4, -4, 0.5]), 1e-5)
         self.assertEqual((ring.counts.complete, ring.kinds.tolist()), (True, [nurbs.NURBS_BRANCH_TOUCH]))
+        both = nurbs.plane([2, 0, 0], [0, 2, 0]).meet(nurbs.plane([2, 0, 0], [0, 2, 0], [1, 1, 0]), 1e-6)
+        self.assertEqual((both.counts, both.kinds.tolist()), ((4, 5, True), 4 * [nurbs.NURBS_BRANCH_OVERLAP]))
+        self.assertEqual(both.nodes.kinds.tolist().count(nurbs.NURBS_NODE_OVERLAP), 1)
 
     def test_of_two_faces(self):
         floor, wall = nurbs.plane([2, 0, 0], [0, 4, 0]), nurbs.plane([0, 4, 0], [0, 0, 2], [1, 0, -1])

@@ -153,19 +153,71 @@ static void tubes(void) {
 }
 
 /* Surfaces apart have nothing in common, and one surface too much to tell. */
-static void apart_and_one(void) {
+static void apart(void) {
     int64_t branches = -1, nodes = -1;
     int32_t complete = -1;
     nurbs_meet *meet = met(ramp(), level(3), 1e-6);
     CHECK_OK(nurbs_meet_counts(meet, &branches, &nodes, &complete));
     CHECK(branches == 0 && nodes == 0 && complete == 1);
     nurbs_meet_destroy(meet);
-    nurbs *g = ramp();
-    CHECK_OK(nurbs_surface_intersections(g, g, 1e-6, &meet));
+}
+
+static nurbs *square(double x, double y, double size) {
+    const double origin[] = {x, y, 0}, u[] = {size, 0, 0}, v[] = {0, size, 0};
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_surface_plane(3, origin, u, v, &g));
+    return g;
+}
+
+/* [0, 2]^2 and [1, 3]^2: four branches around [1/2, 1]^2 in the domain of the first one, on the level of the region. */
+static void overlap(void) {
+    nurbs *a = square(0, 0, 2), *b = square(1, 1, 2);
+    nurbs_meet *meet = NULL, *part = NULL;
+    CHECK_OK(nurbs_surface_intersections(a, b, 1e-9, &meet));
+    int64_t branches = 0, nodes = 0, levels[most], ends[2 * most], loops[most], next[most], closed = 0;
+    int32_t complete = 0, kinds[most], closes[most];
+    double params[2 * most], ranges[4 * most], second[2 * most], second_ranges[4 * most];
     CHECK_OK(nurbs_meet_counts(meet, &branches, &nodes, &complete));
-    CHECK(nodes >= 1 && complete == 0);
+    CHECK(branches == 4 && nodes == 5 && complete == 1);
+    CHECK_OK(nurbs_meet_branches(meet, most, levels, ends, loops, NULL, NULL));
+    CHECK_OK(nurbs_meet_kinds(meet, most, kinds, NULL));
+    for (int i = 0; i < 4; ++i) {
+        CHECK(levels[i] == 1 && loops[i] == 0 && kinds[i] == NURBS_BRANCH_OVERLAP);
+        CHECK_INT(ends[2 * i + 1], ends[2 * ((i + 1) % 4)]);
+    }
+    CHECK_OK(nurbs_meet_ways(meet, most, levels, NULL, NULL, closes, NULL, &closed));
+    CHECK(closed == 1 && closes[0] == 1 && levels[0] == 1);
+    CHECK_OK(nurbs_meet_nodes(meet, most, levels, kinds, params, ranges, NULL));
+    CHECK_OK(nurbs_meet_nodes_second(meet, most, second, second_ranges, NULL));
+    CHECK_OK(nurbs_meet_joints(meet, most, next, NULL, NULL, NULL, NULL));
+    int regions = 0;
+    for (int i = 0; i < 5; ++i) {
+        CHECK_INT(levels[i], 1);
+        if (kinds[i] != NURBS_NODE_OVERLAP) {
+            CHECK(kinds[i] == NURBS_NODE_BORDER && next[i] == i);
+            continue;
+        }
+        ++regions;
+        for (int k = 0; k < 2; ++k) {
+            const double *on_a = ranges + 4 * i + 2 * k, *on_b = second_ranges + 4 * i + 2 * k;
+            CHECK(fabs(on_a[0] - 0.5) < 1e-12 && on_a[1] == 1 && on_b[0] == 0 && fabs(on_b[1] - 0.5) < 1e-12);
+            CHECK(params[2 * i + k] > 0.5 && params[2 * i + k] < 1);
+            CHECK(fabs(2 * params[2 * i + k] - 1 - 2 * second[2 * i + k]) < 1e-9);
+        }
+    }
+    CHECK_INT(regions, 1);
+    /* What a face has of it is left open. */
+    nurbs_face *face = whole_face(a);
+    CHECK_OK(nurbs_meet_trim(meet, face, &part));
+    CHECK_OK(nurbs_meet_counts(part, &branches, &nodes, &complete));
+    CHECK(branches == 0 && nodes == 1 && complete == 0);
+    CHECK_OK(nurbs_meet_nodes(part, most, levels, kinds, NULL, NULL, NULL));
+    CHECK(levels[0] == 0 && kinds[0] == NURBS_NODE_UNDECIDED);
+    nurbs_face_destroy(face);
+    nurbs_meet_destroy(part);
     nurbs_meet_destroy(meet);
-    nurbs_destroy(g);
+    nurbs_destroy(a);
+    nurbs_destroy(b);
 }
 
 static int32_t stop(double done, void *user) {
@@ -294,7 +346,8 @@ int main(void) {
     a_ramp();
     in_faces();
     tubes();
-    apart_and_one();
+    apart();
+    overlap();
     watched();
     refused();
     refused_by_meets();

@@ -65,6 +65,28 @@ void meet(const nurbs *curve, const nurbs *surface, double tolerance, int64_t wo
     }
 }
 
+// Regions are on levels of their own, each with one node, and their boundaries close.
+void look_at_regions(const nurbs_meet *found, const std::vector<int32_t> &node_kinds,
+                     const std::vector<int32_t> &branch_kinds) {
+    std::vector<int64_t> levels(node_kinds.size()), own(branch_kinds.size()), loops(branch_kinds.size());
+    FUZZ_REQUIRE(nurbs_meet_nodes(found, std::ssize(levels), levels.data(), nullptr, nullptr, nullptr,
+                                  nullptr) == NURBS_OK);
+    FUZZ_REQUIRE(nurbs_meet_branches(found, std::ssize(own), own.data(), nullptr, loops.data(), nullptr,
+                                     nullptr) == NURBS_OK);
+    std::vector<int64_t> regions;
+    for (size_t i = 0; i < levels.size(); ++i) {
+        if (node_kinds[i] == NURBS_NODE_OVERLAP) {
+            FUZZ_REQUIRE(levels[i] > 0 && std::ranges::count(regions, levels[i]) == 0);
+            regions.push_back(levels[i]);
+        }
+    }
+    for (size_t i = 0; i < own.size(); ++i) {
+        if (branch_kinds[i] == NURBS_BRANCH_OVERLAP) {
+            FUZZ_REQUIRE(loops[i] >= 0 && std::ranges::count(regions, own[i]) == 1);
+        }
+    }
+}
+
 // Branches have three curves with common knots, and nodes are in ranges on both surfaces.
 void look_at(const nurbs_meet *found) {
     int64_t branches = 0, nodes = 0;
@@ -83,8 +105,9 @@ void look_at(const nurbs_meet *found) {
     std::vector<int32_t> own_kinds(static_cast<size_t>(branches));
     FUZZ_REQUIRE(nurbs_meet_kinds(found, branches, own_kinds.data(), nullptr) == NURBS_OK);
     for (const int32_t kind : own_kinds) {
-        FUZZ_REQUIRE(kind >= NURBS_BRANCH_CROSSING && kind <= NURBS_BRANCH_TOUCH);
+        FUZZ_REQUIRE(kind >= NURBS_BRANCH_CROSSING && kind <= NURBS_BRANCH_OVERLAP);
     }
+    look_at_regions(found, kinds, own_kinds);
     for (int64_t i = 0; i < std::min<int64_t>(branches, 16); ++i) {
         nurbs *space = nullptr, *on = nullptr, *on_second = nullptr;
         FUZZ_REQUIRE(nurbs_meet_branch(found, i, &space, &on) == NURBS_OK);

@@ -160,13 +160,14 @@ TEST(CrossingsInFaces, GoOnAcrossSeams) {
     EXPECT_EQ(found.found.count(NURBS_NODE_BORDER), 2);
 }
 
-// What is undecided beside a face is none of it: a square lies in a plane, outside of the face and in it.
+// What is undecided beside a face is none of it: a square lies in a plane up to a crease of that, outside of the face and
+// in it.
 TEST(CrossingsInFaces, WhatIsUndecidedOutsideIsLeftOut) {
     const Handle square = create(net_of({2, 2}, {1, 1}, false, [](double x, double y) {
         return std::array<double, 4>{x - 0.5, y - 0.5, 1, 1};
     }));
     const Handle plane = create(net_of({33, 33}, {1, 1}, false, [](double x, double y) {
-        return std::array<double, 4>{8 * x - 4.1, 8 * y - 4.1, 1, 1};
+        return std::array<double, 4>{8 * x - 4.1, 8 * y - 4.1, 1 + std::max(0.0, 8 * x - 4.1), 1};
     }));
     const MeetHandle whole = meet_of(plane, square);
     ASSERT_FALSE(found_in(whole.get()).complete);

@@ -598,28 +598,6 @@ TEST(SurfaceCrossings, NearTouchesAlongCurves) {
     }
 }
 
-// What touches in regions is left open: where, and nothing else.
-TEST(SurfaceCrossings, WhatTouchesIsLeftOpen) {
-    struct Touch {
-        SplineData a, b;
-        const char *name;
-    };
-    const std::vector<Touch> touches{
-        {waves(true), waves(true), "a surface and itself"},
-        {tube(1, 3), support::moved(tube(1, 2), {0, 0, 0.5}), "a part of a surface"},
-        {flat(0), support::moved(flat(0), {1, 2, 0}), "planes"}};
-    for (const Touch &touch : touches) {
-        SCOPED_TRACE(touch.name);
-        const Handle a = create(touch.a), b = create(touch.b);
-        const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
-        const int64_t open = crossing.found.count(NURBS_NODE_UNDECIDED);
-        EXPECT_FALSE(crossing.found.complete);
-        EXPECT_TRUE(crossing.found.branches.empty());
-        EXPECT_GE(open, 1);
-        EXPECT_LE(open, 8);
-    }
-}
-
 // Nothing depends on the units of length and of parameters.
 TEST(SurfaceCrossings, Scales) {
     const SplineData a = waves(true), b = ripples(true, 0.05);

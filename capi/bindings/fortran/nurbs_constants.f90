@@ -452,6 +452,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_NODE_EDGE = 5
     ! the surface folds as seen along the direction of a projection: another sheet goes on
     integer(c_int32_t), parameter :: NURBS_NODE_FOLD = 6
+    ! a region in which two surfaces are within the tolerance of each other; no branch ends there
+    integer(c_int32_t), parameter :: NURBS_NODE_OVERLAP = 7
 
     ! --- Kinds of contours
     ! f = N . d: what is seen as an outline along d
@@ -479,6 +481,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_BRANCH_CONTACT = 3
     ! a curve along which surfaces have the same tangent planes: they touch
     integer(c_int32_t), parameter :: NURBS_BRANCH_TOUCH = 4
+    ! a part of the boundary of a region in which surfaces are one
+    integer(c_int32_t), parameter :: NURBS_BRANCH_OVERLAP = 5
 
     ! --- Kinds of constraints
     ! the derivative of the given orders is the target; orders 0: the point

@@ -25,12 +25,14 @@ inline constexpr std::int32_t node_touch = NURBS_NODE_TOUCH;
 inline constexpr std::int32_t node_undecided = NURBS_NODE_UNDECIDED;
 inline constexpr std::int32_t node_edge = NURBS_NODE_EDGE;
 inline constexpr std::int32_t node_fold = NURBS_NODE_FOLD;
+inline constexpr std::int32_t node_overlap = NURBS_NODE_OVERLAP;
 
 /// What a branch is.
 inline constexpr std::int32_t branch_crossing = NURBS_BRANCH_CROSSING;
 inline constexpr std::int32_t branch_edge = NURBS_BRANCH_EDGE;
 inline constexpr std::int32_t branch_contact = NURBS_BRANCH_CONTACT;
 inline constexpr std::int32_t branch_touch = NURBS_BRANCH_TOUCH;
+inline constexpr std::int32_t branch_overlap = NURBS_BRANCH_OVERLAP;
 
 /// Kinds of contours.
 inline constexpr std::int32_t contour_silhouette = NURBS_CONTOUR_SILHOUETTE;

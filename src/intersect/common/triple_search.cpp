@@ -174,7 +174,9 @@ void TripleSearch::add_open(const TripleParts &parts) {
         const CrossCell &part = *parts[i / 2];
         const Interval &range = part.piece().range[i % 2];
         const double lower = part.lower(i % 2);
-        open.range[i] = {parameter_at(range, lower), parameter_at(range, lower + part.length(i % 2))};
+        const double from = parameter_at(range, lower), to = parameter_at(range, lower + part.length(i % 2));
+        open.range[i] = {std::min(from, to),
+                         std::max(from, to)}; // ranges of a few numbers are rounded either way
     }
 }
 

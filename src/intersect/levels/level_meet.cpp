@@ -32,7 +32,8 @@ void Meet::append(Meet other) {
 void Meet::tidy_nodes() {
     std::vector<bool> stays(nodes.size(), false);
     for (size_t i = 0; i < nodes.size(); ++i) {
-        stays[i] = nodes[i].kind == NodeKind::touch || nodes[i].kind == NodeKind::undecided;
+        stays[i] = nodes[i].kind == NodeKind::touch || nodes[i].kind == NodeKind::undecided ||
+                   nodes[i].kind == NodeKind::overlap;
     }
     for (const MeetBranch &branch : branches) {
         for (const int64_t node : branch.nodes) {

@@ -18,11 +18,12 @@ enum class NodeKind : int32_t {
     undecided = 4, // it is left open what there is
     edge = 5,      // an edge or a vertex of a model, at which the branch of another face goes on
     fold = 6,      // the surface folds as seen along a direction: the branch goes on in another sheet
+    overlap = 7,   // a region in which two surfaces are one: a place inside, and its box
 };
 
 // Where branches end.
 struct MeetNode {
-    int64_t level; // index of the value
+    int64_t level; // index of the value; of overlaps the number of the region, from 1
     NodeKind kind;
     std::array<double, 2> at;         // parameters
     std::array<Interval, 2> range;    // of a part
@@ -39,6 +40,7 @@ enum class BranchKind : int32_t {
     edge = 2,     // an edge that two faces have in common
     contact = 3,  // one at which both have the same tangent planes, somewhere at least
     touch = 4,    // of surfaces that have the same tangent planes all along
+    overlap = 5,  // a part of the boundary of a region in which two surfaces are one
 };
 
 // Curves with common knots, in space and in the parameter domain.

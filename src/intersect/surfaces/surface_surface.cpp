@@ -3,8 +3,10 @@
 
 #include "base/watch.h"
 #include "intersect/surfaces/contact/contact_curves.h"
+#include "intersect/surfaces/cross_clusters.h"
 #include "intersect/surfaces/cross_curve.h"
 #include "intersect/surfaces/cross_repeats.h"
+#include "intersect/surfaces/overlap/overlaps.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,9 +37,14 @@ CrossParts parts_of(CrossSearch &search, double tolerance, bool &limited) {
     return found;
 }
 
+// Whether something is left open that is no touch.
+bool is_left_open(const std::vector<CrossGroup> &groups) {
+    return std::ranges::any_of(groups, [](const CrossGroup &group) { return !group.touch; });
+}
+
 } // namespace
 
-Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
+Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, Regions regions) {
     const UsualLimit usual(usual_work(a.point_count() + b.point_count()));
     const LimitedSearch limited;
     const pieces::PieceGrid &grid_a = pieces::piece_grid_of(a), &grid_b = pieces::piece_grid_of(b);
@@ -49,8 +56,15 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
     remove_repeats(on_a, on_b, found);
     const double in_frame = search.frame().scaled(tolerance);
     ContactTracer tracer(search.solver(), degrees_of(a), degrees_of(b), in_frame);
-    const std::vector<ContactCurve> contacts = contact_curves(tracer, found);
     const CrossTouch touch(search.ground(0), search.ground(1), in_frame);
+    std::optional<Overlaps> overlaps;
+    if (regions == Regions::told && is_left_open(cross_groups(on_a, on_b, touch, found.clusters))) {
+        const HalfOfWork half;
+        overlaps = find_overlaps(OverlapGround(a, b, search.frame(), search.solver()), tracer, tolerance,
+                                 in_frame, found);
+        meet.limited = meet.limited || work_ended();
+    }
+    const std::vector<ContactCurve> contacts = contact_curves(tracer, found);
     CrossChains chains = cross_chains(on_a, on_b, touch, found);
     meet.limited = meet.limited || work_ended();
     meet.of_two = true;
@@ -71,6 +85,9 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance) {
         branch.loop = chain.loop;
     }
     add_branches(contacts, search.frame(), on_a, on_b, meet);
+    if (overlaps) {
+        add_overlaps(*overlaps, search.frame(), on_a, on_b, meet);
+    }
     return meet;
 }
 

@@ -6,7 +6,11 @@
 
 namespace nrb::intersect {
 
+// Whether regions in which surfaces are one are told as such; if not, they are left open.
+enum class Regions : bool { open, told };
+
 // Preconditions: surfaces in space; tolerance > 0, of the curves.
-Meet surface_intersections(const Spline &a, const Spline &b, double tolerance);
+Meet surface_intersections(const Spline &a, const Spline &b, double tolerance,
+                           Regions regions = Regions::open);
 
 } // namespace nrb::intersect

@@ -18,6 +18,8 @@ constexpr int most_tries = 4, most_passes = 32;
 constexpr double least_half = 0.4;
 // Of them for each triangle that is bad at first.
 constexpr int64_t most_halvings_of_bad = 8;
+// Multiply-adds of a look at the angles of a triangle, estimated, and of one at whether a side is better flipped.
+constexpr int64_t work_of_a_look = 200, work_of_a_side = 400;
 // New places for each triangle of equal sides that there is room for at first.
 constexpr double most_places = 6;
 
@@ -148,8 +150,9 @@ bool AngleRefinement::halve_longest(int32_t t, double shortest) {
 // As long as one makes another one better.
 void AngleRefinement::flip_all() {
     bool any = true;
-    for (int pass = 0; pass < most_passes && any; ++pass) {
+    for (int pass = 0; pass < most_passes && any && !work_ended(); ++pass) {
         any = false;
+        count_work(work_of_a_side * net_.size());
         for (int32_t t = 0; t < net_.size(); ++t) {
             for (size_t k = 0; k < 3; ++k) {
                 if (net_[t].sides[k].next > t && is_better_flipped(t, k)) {
@@ -170,6 +173,7 @@ void AngleRefinement::run() {
 // The worst ones first. Returns whether there is something new: then some may have room for what they had none for before.
 bool AngleRefinement::improve_all() {
     bool any = false;
+    count_work(work_of_a_look * net_.size());
     for (int32_t t = 0; t < net_.size(); ++t) {
         want(t);
     }

@@ -14,6 +14,15 @@ namespace {
 // Sites that are evaluated in one batch.
 constexpr size_t most_at_once = 8192;
 
+// With no room to spare where many values come at once; with some where they come one by one.
+template <class T>
+void resize(std::vector<T> &values, size_t n, const T &value = T{}) {
+    if (n > values.size() + values.size() / 4) {
+        values.reserve(n);
+    }
+    values.resize(n, value);
+}
+
 } // namespace
 
 Sites::Sites(const MeshDomain &domain, const CellGrid &cells)
@@ -143,8 +152,7 @@ int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int3
 void Sites::evaluate() {
     const size_t known = positions_.size();
     for (std::vector<Vector3> *all : {&positions_, &normals_}) {
-        all->reserve(sites_.size());
-        all->resize(sites_.size());
+        resize(*all, sites_.size());
     }
     for (size_t first = known; first < sites_.size(); first += most_at_once) {
         evaluate(first, std::min(first + most_at_once, sites_.size()));

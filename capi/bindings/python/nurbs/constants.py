@@ -305,6 +305,7 @@ NURBS_NODE_TOUCH = 3  # a part within the tolerance in which branches are not to
 NURBS_NODE_UNDECIDED = 4  # a part in which it is left open what there is
 NURBS_NODE_EDGE = 5  # an edge, a corner or a pole of faces of a model, where another branch goes on
 NURBS_NODE_FOLD = 6  # the surface folds as seen along the direction of a projection: another sheet goes on
+NURBS_NODE_OVERLAP = 7  # a region in which two surfaces are within the tolerance of each other; no branch ends there
 
 # --- Kinds of contours
 NURBS_CONTOUR_SILHOUETTE = 1  # f = N . d: what is seen as an outline along d
@@ -322,6 +323,7 @@ NURBS_BRANCH_CROSSING = 1  # what surfaces, or a surface and a plane, have in co
 NURBS_BRANCH_EDGE = 2  # an edge that two faces share
 NURBS_BRANCH_CONTACT = 3  # one at which both faces have the same tangent planes, somewhere at least
 NURBS_BRANCH_TOUCH = 4  # a curve along which surfaces have the same tangent planes: they touch
+NURBS_BRANCH_OVERLAP = 5  # a part of the boundary of a region in which surfaces are one
 
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point

@@ -929,6 +929,8 @@ pub const NURBS_NODE_UNDECIDED: i32 = 4;
 pub const NURBS_NODE_EDGE: i32 = 5;
 /// the surface folds as seen along the direction of a projection: another sheet goes on
 pub const NURBS_NODE_FOLD: i32 = 6;
+/// a region in which two surfaces are within the tolerance of each other; no branch ends there
+pub const NURBS_NODE_OVERLAP: i32 = 7;
 
 // --- Kinds of contours
 /// f = N . d: what is seen as an outline along d
@@ -957,6 +959,8 @@ pub const NURBS_BRANCH_EDGE: i32 = 2;
 pub const NURBS_BRANCH_CONTACT: i32 = 3;
 /// a curve along which surfaces have the same tangent planes: they touch
 pub const NURBS_BRANCH_TOUCH: i32 = 4;
+/// a part of the boundary of a region in which surfaces are one
+pub const NURBS_BRANCH_OVERLAP: i32 = 5;
 
 // --- Kinds of constraints
 /// the derivative of the given orders is the target; orders 0: the point

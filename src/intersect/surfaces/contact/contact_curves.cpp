@@ -2,9 +2,9 @@
 #include "intersect/surfaces/contact/contact_curves.h"
 
 #include "base/watch.h"
+#include "intersect/surfaces/segment_seams.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nrb::intersect {
 
@@ -20,24 +20,10 @@ public:
         : frame_(frame), surfaces_{&a, &b}, loop_(loop), meet_(meet) {}
 
     void add(const ContactCurve &curve) {
-        std::vector<CrossSegment> segments = curve.segments;
-        if (curve.closed) {
-            for (size_t i = 0; i < segments.size(); ++i) {
-                if (is_seam(segments[i == 0 ? segments.size() - 1 : i - 1], segments[i])) {
-                    std::rotate(segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(i),
-                                segments.end());
-                    break;
-                }
-            }
-        }
-        const bool cut = curve.closed && is_seam(segments.back(), segments.front());
-        std::vector<std::vector<CrossSegment>> parts(1);
-        for (size_t i = 0; i < segments.size(); ++i) {
-            if (i > 0 && is_seam(segments[i - 1], segments[i])) {
-                parts.emplace_back();
-            }
-            parts.back().push_back(segments[i]);
-        }
+        std::vector<std::vector<CrossSegment>> parts =
+            parts_between_seams(*surfaces_[0], *surfaces_[1], curve.segments, curve.closed);
+        const bool cut =
+            curve.closed && is_seam(*surfaces_[0], *surfaces_[1], parts.back().back(), parts.front().front());
         if (curve.closed && !cut && parts.size() == 1) {
             add_branch(std::move(parts.front()), true, {-1, -1});
             return;
@@ -58,16 +44,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_seam(const CrossSegment &before, const CrossSegment &after) const noexcept {
-        for (size_t i = 0; i < 4; ++i) {
-            const SurfaceBorders &borders = surfaces_[i / 2]->borders;
-            const double far = std::abs(before.on[i / 2][3][i % 2] - after.on[i / 2][0][i % 2]);
-            if (!borders.is_periodic(i % 2) && borders.wraps(i % 2) && far > borders.period(i % 2) / 2) {
-                return true;
-            }
-        }
-        return false;
-    }
     int64_t add_node(NodeKind kind, const CrossSegment &segment, size_t place) {
         MeetNode &node = meet_.nodes.emplace_back(MeetNode{0, kind, {}, {}});
         for (size_t k = 0; k < 2; ++k) {

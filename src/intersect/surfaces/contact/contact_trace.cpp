@@ -46,7 +46,6 @@ std::optional<ContactPoint> ContactTracer::next(const ContactPoint &from, double
     return good ? to : std::nullopt;
 }
 
-// The first break of coordinate i after `from` on the way to `to`; NaN: there is none.
 double ContactTracer::break_between(size_t i, double from, double to) const noexcept {
     const CrossGround &ground = solver_.ground(i / 2);
     const pieces::PieceGrid &grid = ground.grid;
@@ -150,11 +149,10 @@ double ContactTracer::largest_gap(size_t surface, CrossSegment &segment, const C
            8 * piece->error;
 }
 
-bool ContactTracer::set_segment(const ContactPoint &from, double way, Step &result) const {
-    const ContactPoint &to = result.to;
+bool ContactTracer::fit(const ContactPoint &from, const ContactPoint &to, double way,
+                        CrossSegment &segment) const {
     const double sign = way < 0 ? -1 : 1;
     const Vector3 start = 0.5 * (from.a + from.b), end = 0.5 * (to.a + to.b), chord = end - start;
-    CrossSegment &segment = result.segment;
     segment.length = length(chord) * (1 + (1 - dot(from.along, to.along)) / 12);
     const double leg = segment.length / 3 * sign;
     segment.space = {coordinates(start), coordinates(start + leg * from.along),
@@ -181,7 +179,7 @@ bool ContactTracer::step(const ContactPoint &from, double way, Step &result) con
     }
     result.to = *to;
     result.border = false;
-    return stop_at_break(from, way, result) && set_segment(from, way, result);
+    return stop_at_break(from, way, result) && fit(from, result.to, way, result.segment);
 }
 
 namespace {
@@ -222,7 +220,7 @@ ContactTracer::End ContactTracer::follow(const ContactPoint &start, double way,
                 const double period = solver_.ground(i / 2).borders.period(i % 2);
                 result.to.at[i] += period * std::round((from.at[i] - start.at[i]) / period);
             }
-            if (set_segment(from, way, result)) {
+            if (fit(from, result.to, way, result.segment)) {
                 segments.push_back(result.segment);
                 return End::closed;
             }

@@ -31,6 +31,13 @@ public:
     // Whether a place is on a curve.
     [[nodiscard]] bool passes(const ContactCurve &curve, const ContactPoint &place) const noexcept;
 
+    // A segment between places on both surfaces along a curve that runs through them, or against it (way < 0); false: it
+    // is farther from a surface than the tolerance.
+    [[nodiscard]] bool fit(const ContactPoint &from, const ContactPoint &to, double way,
+                           CrossSegment &segment) const;
+    // The first break of coordinate i after `from` on the way to `to`; NaN: there is none.
+    [[nodiscard]] double break_between(size_t i, double from, double to) const noexcept;
+
 private:
     enum class End { none, closed, border, lost };
     struct Step {
@@ -44,9 +51,7 @@ private:
     bool step(const ContactPoint &from, double way, Step &result) const;
     [[nodiscard]] std::optional<ContactPoint> next(const ContactPoint &from, double length) const;
     bool stop_at_break(const ContactPoint &from, double way, Step &result) const;
-    [[nodiscard]] double break_between(size_t i, double from, double to) const noexcept;
     [[nodiscard]] bool is_border(size_t i, double at) const noexcept;
-    bool set_segment(const ContactPoint &from, double way, Step &result) const;
     [[nodiscard]] bool are_near(const CrossSegment &segment, double t,
                                 const ContactPoint &place) const noexcept;
     [[nodiscard]] double largest_gap(size_t surface, CrossSegment &segment, const CrossPlace &middle) const;

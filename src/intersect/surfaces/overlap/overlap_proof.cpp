@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/overlap/overlap_proof.h"
+
+#include "base/numbers.h"
+#include "base/watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nrb::intersect {
+
+namespace {
+
+constexpr int most_looks = 40000;           // at parts of the domain, and of pairs
+constexpr int most_looks_at_a_pair = 1024;  // that is left open
+constexpr double share_of_tolerance = 0.75; // the rest is for what is beyond sides of pieces by rounding
+constexpr PlaceBox whole{Interval{0, 1}, Interval{0, 1}};
+
+bool holds(const PlaceBox &a, const PlaceBox &b) noexcept {
+    return a[0].lower <= b[0].lower && b[0].upper <= a[0].upper && a[1].lower <= b[1].lower &&
+           b[1].upper <= a[1].upper;
+}
+
+double parameter_at(const Interval &range, double place) noexcept {
+    return place == 1 ? range.upper : range.lower * (1 - place) + range.upper * place;
+}
+
+// Of a part, the longest in space first.
+template <class Push>
+void halve(const CrossPiece &piece, const PlaceBox &places, Push &&push) {
+    const std::array<double, 2> middle{places[0].lower / 2 + places[0].upper / 2,
+                                       places[1].lower / 2 + places[1].upper / 2};
+    const CrossPiece::Point at = piece.evaluate(middle);
+    const double u = (places[0].upper - places[0].lower) * length(at.slope[0]),
+                 v = (places[1].upper - places[1].lower) * length(at.slope[1]);
+    const size_t axis = u >= v ? 0 : 1;
+    for (const bool upper : {false, true}) {
+        PlaceBox half = places;
+        (upper ? half[axis].lower : half[axis].upper) = middle[axis];
+        push(half);
+    }
+}
+
+} // namespace
+
+OverlapProof::OverlapProof(const OverlapGround &ground, const OverlapEdges &edges,
+                           const OverlapRegions &regions, double near)
+    : ground_(ground), edges_(edges), regions_(regions), near_(near), map_(share_of_tolerance * near),
+      left_(most_looks) {
+    for (const OverlapEdge &edge : edges.edges) {
+        for (const CrossSegment &segment : edge.segments) {
+            EdgePart part{{}, {}, {}};
+            for (size_t k = 0; k < 2; ++k) {
+                double lower = infinity, upper = -infinity;
+                for (const auto &at : segment.on[0]) {
+                    lower = std::min(lower, at[k]);
+                    upper = std::max(upper, at[k]);
+                }
+                part.on[k] = {lower, upper};
+                part.at[k] = (segment.on[0][0][k] + 3 * segment.on[0][1][k] + 3 * segment.on[0][2][k] +
+                              segment.on[0][3][k]) /
+                             8;
+                part.beside[k] = (segment.on[1][0][k] + 3 * segment.on[1][1][k] + 3 * segment.on[1][2][k] +
+                                  segment.on[1][3][k]) /
+                                 8;
+            }
+            edge_parts_.push_back(part);
+        }
+    }
+}
+
+std::array<double, 2> OverlapProof::parameters(const Part &part, double u, double v) const noexcept {
+    const std::array<double, 2> at{u, v};
+    std::array<double, 2> result{};
+    for (size_t k = 0; k < 2; ++k) {
+        const double place = part.places[k].lower * (1 - at[k]) + part.places[k].upper * at[k];
+        result[k] = parameter_at(part.piece->range[k], place);
+    }
+    return result;
+}
+
+// A place on the other surface beside an edge that runs through a part.
+std::optional<std::array<double, 2>> OverlapProof::edge_in(const Part &part) const {
+    const auto lower = parameters(part, 0, 0), upper = parameters(part, 1, 1),
+               middle = parameters(part, 0.5, 0.5);
+    PlaceBox box;
+    for (size_t k = 0; k < 2; ++k) { // an edge along its side does not run through it
+        const double room = std::min(0x1p-30 * ground_.borders(0).period(k), (upper[k] - lower[k]) / 4);
+        box[k] = {lower[k] + room, upper[k] - room};
+    }
+    count_work(4 * std::ssize(edge_parts_));
+    const EdgePart *best = nullptr;
+    double least = infinity;
+    for (const EdgePart &edge : edge_parts_) {
+        if (have_common(edge.on, box)) {
+            const double far = std::max(std::abs(edge.at[0] - middle[0]) / ground_.borders(0).period(0),
+                                        std::abs(edge.at[1] - middle[1]) / ground_.borders(0).period(1));
+            if (far < least) {
+                least = far;
+                best = &edge;
+            }
+        }
+    }
+    return best == nullptr ? std::nullopt : std::optional(best->beside);
+}
+
+const CrossPiece *OverlapProof::neighbour(const CrossPiece &piece, const std::array<int, 2> &step) const {
+    Index index = piece.index;
+    const pieces::PieceGrid &grid = ground_.grid(1);
+    for (size_t k = 0; k < 2; ++k) {
+        if (step[k] == 0) {
+            continue;
+        }
+        const int64_t n = grid.count(static_cast<int>(k));
+        index[k] += step[k];
+        if ((index[k] < 0 || index[k] >= n) && !ground_.borders(1).wraps(k)) {
+            return nullptr;
+        }
+        index[k] = (index[k] + n) % n;
+    }
+    return ground_.pieces(1).piece(index);
+}
+
+bool OverlapProof::lies_along(const Part &part, const CrossPiece &other, const std::array<double, 2> &start) {
+    --left_;
+    if (map_.look(*part.piece, part.places, other, start, nullptr) != OverlapMap::Verdict::along) {
+        return false;
+    }
+    proven_[part.piece].push_back({part.places, &other, map_.feet()});
+    return true;
+}
+
+// Feet beyond sides of the piece, by more than a little, are on the pieces there; inside of a region the surface goes on there.
+bool OverlapProof::lies_along_neighbours(const Part &part, const CrossPiece &other, bool inside) {
+    const PlaceBox feet = map_.feet();
+    std::array<std::array<bool, 3>, 2> beyond{}; // lower, this one, upper
+    std::array<double, 2> middle{};
+    for (size_t k = 0; k < 2; ++k) {
+        const double room = OverlapMap::room_on(other, k, near_);
+        beyond[k] = {feet[k].lower<-room, feet[k].upper> room &&
+                     feet[k].lower<1 - room, feet[k].upper> 1 + room};
+        middle[k] = feet[k].lower / 2 + feet[k].upper / 2;
+    }
+    for (const int i : {-1, 0, 1}) {
+        for (const int j : {-1, 0, 1}) {
+            const bool any = beyond[0][static_cast<size_t>(i + 1)] && beyond[1][static_cast<size_t>(j + 1)];
+            if (!any || (i == 0 && j == 0)) {
+                continue;
+            }
+            const CrossPiece *const next = neighbour(other, {i, j});
+            if (next == nullptr) {
+                if (inside) {
+                    return false;
+                }
+                continue;
+            }
+            std::array<double, 2> start = middle;
+            for (size_t k = 0; k < 2; ++k) {
+                const int step = k == 0 ? i : j;
+                const double own = other.range[k].upper - other.range[k].lower,
+                             there = next->range[k].upper - next->range[k].lower;
+                start[k] = step == 0  ? middle[k]
+                           : step > 0 ? (middle[k] - 1) * own / there
+                                      : 1 + middle[k] * own / there;
+            }
+            if (!lies_along(part, *next, start)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+OverlapProof::State OverlapProof::look_along(const Part &part, const std::array<double, 2> &beside,
+                                             bool inside) {
+    const CrossPiece *const other = ground_.solver().piece_at(1, beside.data());
+    if (other == nullptr) {
+        return State::halve;
+    }
+    const bool done = lies_along(part, *other, ground_.solver().place_in(1, *other, beside.data())) &&
+                      lies_along_neighbours(part, *other, inside);
+    return done ? State::done : State::halve;
+}
+
+OverlapProof::State OverlapProof::look(const Part &part) {
+    const std::optional<std::array<double, 2>> edge = edge_in(part);
+    const std::array<double, 2> middle = parameters(part, 0.5, 0.5);
+    count_work(100 * std::ssize(edge_parts_));
+    if (!edge && !regions_.hold(ground_, middle)) {
+        return State::done;
+    }
+    const std::optional<OverlapGround::Point> point = ground_.point(0, middle.data());
+    const auto foot = point ? ground_.nearest(1, point->at, near_) : std::nullopt;
+    if (!foot && !edge) {
+        return State::failed;
+    }
+    // What is small is as near as its middle.
+    const CrossCell cell(*part.piece, part.places);
+    const bool done =
+        look_along(part, foot ? *foot : *edge, !edge) == State::done ||
+        (cell.size() + cell.error() <= near_ / 4 && (edge || ground_.nearest(1, point->at, near_ / 2)));
+    if (done && !edge) {
+        inside_[part.piece].push_back(part.places);
+    }
+    return done ? State::done : State::halve;
+}
+
+bool OverlapProof::prove() {
+    const pieces::PieceGrid &grid = ground_.grid(0);
+    std::vector<Part> stack;
+    for (Index index{}; index[0] < grid.count(0); ++index[0]) {
+        for (index[1] = 0; index[1] < grid.count(1); ++index[1]) {
+            const CrossPiece *const piece = ground_.pieces(0).piece(index);
+            if (piece == nullptr) {
+                return false;
+            }
+            stack.push_back({piece, whole});
+        }
+    }
+    while (!stack.empty()) {
+        const Part part = stack.back();
+        stack.pop_back();
+        if (work_ended() || left_ <= 0) {
+            return false;
+        }
+        const State state = look(part);
+        if (state == State::failed) {
+            return false;
+        }
+        if (state == State::halve) {
+            halve(*part.piece, part.places, [&](const PlaceBox &half) {
+                stack.push_back({part.piece, half});
+            });
+        }
+    }
+    return true;
+}
+
+std::optional<OverlapProof::Part> OverlapProof::part_of(size_t surface, const Interval *ranges) const {
+    std::array<double, 2> middle{};
+    for (size_t k = 0; k < 2; ++k) {
+        middle[k] = ranges[k].lower / 2 + ranges[k].upper / 2;
+    }
+    const CrossPiece *const piece = ground_.solver().piece_at(surface, middle.data());
+    if (piece == nullptr) {
+        return std::nullopt;
+    }
+    Part part{piece, {}};
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval &range = piece->range[k];
+        const double length = range.upper - range.lower;
+        part.places[k] = {(ranges[k].lower - range.lower) / length, (ranges[k].upper - range.lower) / length};
+        if (!(part.places[k].lower >= -0x1p-20 && part.places[k].upper <= 1 + 0x1p-20)) {
+            return std::nullopt;
+        }
+    }
+    return part;
+}
+
+// Whether all of a part is in regions.
+bool OverlapProof::is_inside(const Part &part) const {
+    const auto known = inside_.find(part.piece);
+    if (known == inside_.end()) {
+        return false;
+    }
+    double area = 0;
+    count_work(4 * std::ssize(known->second));
+    for (const PlaceBox &own : known->second) {
+        double common = 1;
+        for (size_t k = 0; k < 2; ++k) {
+            common *= std::max(0.0, std::min(own[k].upper, part.places[k].upper) -
+                                        std::max(own[k].lower, part.places[k].lower));
+        }
+        area += common;
+    }
+    const double all =
+        (part.places[0].upper - part.places[0].lower) * (part.places[1].upper - part.places[1].lower);
+    return area >= (1 - 0x1p-30) * all;
+}
+
+bool OverlapProof::is_known(const Part &a, const Part &b) const {
+    const auto known = proven_.find(a.piece);
+    return known != proven_.end() && std::ranges::any_of(known->second, [&](const Proven &proven) {
+               return proven.piece == b.piece && holds(proven.part, a.places) && holds(proven.with, b.places);
+           });
+}
+
+OverlapMap::Verdict OverlapProof::look(const Part &a, const Part &b) {
+    const std::array<double, 2> start{b.places[0].lower / 2 + b.places[0].upper / 2,
+                                      b.places[1].lower / 2 + b.places[1].upper / 2};
+    --left_;
+    return map_.look(*a.piece, a.places, *b.piece, start, &b.places);
+}
+
+// Whether a part has places in regions.
+bool OverlapProof::meets_region(const Part &part) const {
+    return edge_in(part) || regions_.hold(ground_, parameters(part, 0.5, 0.5));
+}
+
+// Whether a place of a region is beside a part: where an edge touches its side.
+bool OverlapProof::is_beside_region(const Part &part) const {
+    for (const double u : {-1.0, 0.5, 2.0}) {
+        for (const double v : {-1.0, 0.5, 2.0}) {
+            const std::array<double, 2> at = parameters(part, u, v);
+            bool inside = true;
+            for (size_t k = 0; k < 2; ++k) {
+                const Interval domain = ground_.domain(0, k);
+                inside = inside && at[k] >= domain.lower && at[k] <= domain.upper;
+            }
+            if (inside && regions_.hold(ground_, at)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+// What is along a side of the second part only is in a region, if the first one is, or where the surface ends.
+bool OverlapProof::is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict) {
+    if (verdict == OverlapMap::Verdict::beside || verdict == OverlapMap::Verdict::open) {
+        return verdict == OverlapMap::Verdict::beside;
+    }
+    if (verdict == OverlapMap::Verdict::along && meets_region(a)) {
+        return true;
+    }
+    if (!map_.set_side(b.places)) {
+        return false;
+    }
+    const auto [axis, end] = map_.side();
+    const double at = end == 0 ? b.places[axis].lower : b.places[axis].upper, of_piece = end == 0 ? 0 : 1;
+    if (at == of_piece && b.piece->open[axis][end]) {
+        return true;
+    }
+    const auto known = proven_.find(a.piece);
+    return known != proven_.end() && std::ranges::any_of(known->second, [&](const Proven &proven) {
+               return holds(proven.part, a.places);
+           });
+}
+
+// Whether something that bounds no region may be in it.
+bool OverlapProof::is_loose(const std::array<Interval, 4> &ranges) const {
+    return std::ranges::any_of(edges_.loose, [&](const std::array<Interval, 4> &loose) {
+        for (size_t i = 0; i < 4; ++i) {
+            const double period = ground_.borders(i / 2).period(i % 2), room = 0x1p-20 * period;
+            bool any = false;
+            for (const double shift : {0.0, period, -period}) {
+                any = any || ((shift == 0 || ground_.borders(i / 2).wraps(i % 2)) &&
+                              loose[i].upper + shift >= ranges[i].lower - room &&
+                              loose[i].lower + shift <= ranges[i].upper + room);
+            }
+            if (!any) {
+                return false;
+            }
+        }
+        return true;
+    });
+}
+
+bool OverlapProof::is_along(const std::array<Interval, 4> &ranges) {
+    const std::optional<Part> a = part_of(0, ranges.data()), b = part_of(1, ranges.data() + 2);
+    return a && b && !is_loose(ranges) && !work_ended() && meets_region(*a) &&
+           (is_known(*a, *b) || look(*a, *b) == OverlapMap::Verdict::along);
+}
+
+bool OverlapProof::covers(const std::array<Interval, 4> &ranges) {
+    const std::optional<Part> a = part_of(0, ranges.data()), b = part_of(1, ranges.data() + 2);
+    if (!a || !b || is_loose(ranges)) {
+        return false;
+    }
+    if (is_inside(*a)) {
+        return true;
+    }
+    std::vector<std::pair<Part, Part>> stack{{*a, *b}};
+    for (int looks = 0; !stack.empty(); ++looks) {
+        const Part first = stack.back().first, second = stack.back().second;
+        stack.pop_back();
+        if (is_known(first, second) || is_inside(first)) {
+            continue;
+        }
+        const CrossCell cell(*first.piece, first.places), other(*second.piece, second.places);
+        if (are_apart(cell, other) || is_told(first, second, look(first, second))) {
+            continue;
+        }
+        if (cell.size() + cell.error() <= near_ / 8 && is_beside_region(first)) {
+            continue; // within the tolerance of it
+        }
+        if (work_ended() || left_ <= 0 || looks >= most_looks_at_a_pair) {
+            return false;
+        }
+        if (cell.size() >= other.size()) {
+            halve(*first.piece, first.places, [&](const PlaceBox &half) {
+                stack.emplace_back(Part{first.piece, half}, second);
+            });
+        } else {
+            halve(*second.piece, second.places, [&](const PlaceBox &half) {
+                stack.emplace_back(first, Part{second.piece, half});
+            });
+        }
+    }
+    return true;
+}
+
+} // namespace nrb::intersect

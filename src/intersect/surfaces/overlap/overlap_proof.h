@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Proofs of regions in which two surfaces are one.
+#pragma once
+
+#include "intersect/surfaces/cross_search.h"
+#include "intersect/surfaces/overlap/overlap_loops.h"
+#include "intersect/surfaces/overlap/overlap_map.h"
+
+#include <map>
+
+namespace nrb::intersect {
+
+// The domain of the first surface is halved into parts: a part is outside of regions, if its middle is and no edge runs through;
+// or it lies along pieces of the other surface (OverlapMap), beyond it where an edge runs through.
+class OverlapProof {
+public:
+    // near: within which surfaces are one, in the frame.
+    OverlapProof(const OverlapGround &ground, const OverlapEdges &edges, const OverlapRegions &regions,
+                 double near);
+
+    // Of all that is on the left of edges.
+    [[nodiscard]] bool prove();
+    // Whether all that two parts have in common is in what has been proven.
+    [[nodiscard]] bool covers(const std::array<Interval, 4> &ranges);
+    // Whether the first one lies along the other surface there.
+    [[nodiscard]] bool is_along(const std::array<Interval, 4> &ranges);
+
+private:
+    using Index = pieces::PieceGrid::Index;
+    struct Part {
+        const CrossPiece *piece = nullptr;
+        PlaceBox places{};
+    };
+    struct Proven {
+        PlaceBox part; // of the first surface
+        const CrossPiece *piece;
+        PlaceBox with;
+    };
+    enum class State { done, halve, failed };
+
+    [[nodiscard]] std::array<double, 2> parameters(const Part &part, double u, double v) const noexcept;
+    State look(const Part &part);
+    State look_along(const Part &part, const std::array<double, 2> &beside, bool inside);
+    bool lies_along(const Part &part, const CrossPiece &other, const std::array<double, 2> &start);
+    bool lies_along_neighbours(const Part &part, const CrossPiece &other, bool inside);
+    [[nodiscard]] const CrossPiece *neighbour(const CrossPiece &piece, const std::array<int, 2> &step) const;
+    [[nodiscard]] std::optional<std::array<double, 2>> edge_in(const Part &part) const;
+    [[nodiscard]] bool is_inside(const Part &part) const;
+    bool is_known(const Part &a, const Part &b) const;
+    OverlapMap::Verdict look(const Part &a, const Part &b);
+    [[nodiscard]] bool meets_region(const Part &part) const;
+    [[nodiscard]] bool is_beside_region(const Part &part) const;
+    bool is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict);
+    [[nodiscard]] bool is_loose(const std::array<Interval, 4> &ranges) const;
+    [[nodiscard]] std::optional<Part> part_of(size_t surface, const Interval *ranges) const;
+
+    const OverlapGround &ground_;
+    const OverlapEdges &edges_;
+    const OverlapRegions &regions_;
+    double near_;
+    OverlapMap map_;
+    struct EdgePart {
+        PlaceBox on;                  // parameters of the first surface
+        std::array<double, 2> at;     // a place of it
+        std::array<double, 2> beside; // on the other one
+    };
+    std::vector<EdgePart> edge_parts_;
+    std::map<const CrossPiece *, std::vector<Proven>> proven_;
+    std::map<const CrossPiece *, std::vector<PlaceBox>> inside_; // of regions
+    int left_;
+};
+
+} // namespace nrb::intersect
