@@ -15,8 +15,6 @@ namespace {
 
 // What is left for the differences of an estimate and a proof.
 constexpr double share_of_estimate = 0.97;
-// Where edges are farther from the surface than the chord, so that it is not reached.
-constexpr int most_rounds_off = 16;
 // Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
 constexpr double least_for_angles = 1e-5;
 
@@ -44,6 +42,7 @@ void DomainMesher::coarsen(double factor) noexcept {
 }
 
 bool DomainMesher::run() {
+    idle_ = 0;
     for (bool more = true; more;) {
         triangles_.drop_strip();
         make_cells();
@@ -51,9 +50,8 @@ bool DomainMesher::run() {
         sites_.evaluate();
         prove();
         weak_.clear();
-        more = !work_ended() && !(is_off_ && all_rounds_ >= most_rounds_off) && improve();
+        more = !work_ended() && falls() && improve();
         ++round_;
-        ++all_rounds_;
         if (change_border()) {
             more = true;
             if (!take_border()) {
