@@ -2,21 +2,28 @@
 #include "mesh/surface_mesh.h"
 
 #include "base/watch.h"
+#include "mesh/domain/domain_mesher.h"
 #include "mesh/extent.h"
 #include "mesh/outside.h"
 #include "model/from_faces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace nrb::mesh {
 
 namespace {
 
-// Rounds in which edges get more vertices for the sake of faces.
+// Rounds in which faces follow the edges that others changed.
 constexpr int most_edge_rounds = 12;
+// Of a face, at borders of which points or all triangles become others.
+constexpr int most_attempts = 12;
+// Triangles of faces that are kept so that these can go on: some ten megabytes.
+constexpr size_t most_kept = size_t{1} << 17;
 // Of the tolerance, for edges: their segments, and what faces make of them.
 constexpr double share_of_edges = 0.8;
 
@@ -103,22 +110,25 @@ void check_surface(const Spline &surface) {
     }
 }
 
+// The mesh of a face, with all that it takes to go on where its border changes.
+struct FaceWork {
+    MeshDomain domain;
+    std::optional<DomainMesher> mesher{};
+};
+
 class ModelMesher {
 public:
     ModelMesher(const model::Model &model, const MeshRule &rule)
         : model_(model), rule_(rule),
           edges_(model, {rule.chord * share_of_edges, angle_within_reach(rule.angle), rule.longest}),
-          parts_(model.faces.size()) {}
+          parts_(model.faces.size()), works_(parts_.size()), old_(parts_.size(), true) {}
 
     Mesh mesh() {
-        std::vector<bool> old(parts_.size(), true);
-        for (int round = 0; round < most_edge_rounds; ++round) {
+        for (int round = 0; round < most_edge_rounds && has_old(); ++round) {
             const Phase phase;
-            const bool last = round + 1 == most_edge_rounds; // after which no edge may change
-            if (!mesh_faces(old, last) || last || is_enough() || !change_edges(old)) {
-                break;
-            }
+            mesh_faces(round + 1 == most_edge_rounds);
         }
+        works_.clear();
         Mesh result;
         result.points = edges_.points();
         append_edges(edges_, result);
@@ -130,77 +140,116 @@ public:
     }
 
 private:
-    // Those whose edges changed.
-    bool mesh_faces(const std::vector<bool> &old, bool last);
-    void note_weak(const FaceBorder &border, const DomainMesh &part);
-    // Where work has ended, faces of which all is there are better than coarse ones at better edges.
-    [[nodiscard]] bool is_enough() const {
-        return work_ended() && std::ranges::all_of(parts_, [](const DomainMesh &part) {
-                   return std::isfinite(part.from_shape) && std::isfinite(part.from_mesh);
-               });
-    }
-    // Where faces need it. Returns whether there is something new; then `old` tells for whom.
-    bool change_edges(std::vector<bool> &old);
+    [[nodiscard]] bool has_old() const { return std::ranges::find(old_, true) != old_.end(); }
+    // Those whose edges changed; last: no edge may change any more.
+    void mesh_faces(bool last);
+    void mesh_face(size_t face, bool last);
+    [[nodiscard]] std::unique_ptr<FaceWork> work_for(size_t face);
+    void drop_work(size_t face);
+    [[nodiscard]] bool is_kept(const FaceWork &work, size_t triangles) noexcept;
+    bool change_edges(const FaceBorder &border, const BorderWish &wish);
 
     const model::Model &model_;
     MeshRule rule_;
     ModelEdges edges_;
     std::vector<DomainMesh> parts_;
-    std::vector<std::pair<int64_t, double>> weak_; // polylines, and where they are to be divided
-    std::vector<std::array<int32_t, 2>> united_;   // points that are one
+    std::vector<std::unique_ptr<FaceWork>> works_; // of faces that go on where they are old
+    size_t kept_ = 0;                              // triangles of these
+    std::vector<bool> old_;                        // faces whose edges changed
 };
 
-bool ModelMesher::mesh_faces(const std::vector<bool> &old, bool last) {
-    weak_.clear();
-    united_.clear();
+void ModelMesher::mesh_faces(bool last) {
     Steps steps(std::ssize(parts_));
     for (size_t i = 0; i < parts_.size(); ++i, steps.next()) {
-        if (!old[i]) {
-            continue;
+        if (old_[i]) {
+            mesh_face(i, last);
         }
-        const face::Face &face = *model_.faces[i].face;
-        MeshDomain domain = domain_of(*face.surface(), face.covering());
-        domain.border = border_of(model_, static_cast<int64_t>(i), edges_);
-        domain.points = &edges_.points();
-        domain.border_grows = !last;
-        domain.inside = [&face](const face::Point2 &x) { return face.trims().side(x) > 0; };
-        domain.cut = [&face](const Rectangle &part) { return face.trims().cuts(part.lower, part.upper); };
-        parts_[i] = mesh_of(domain, rule_);
-        united_.insert(united_.end(), parts_[i].united.begin(), parts_[i].united.end());
-        note_weak(domain.border, parts_[i]);
     }
-    return !weak_.empty() || !united_.empty();
 }
 
-void ModelMesher::note_weak(const FaceBorder &border, const DomainMesh &part) {
+std::unique_ptr<FaceWork> ModelMesher::work_for(size_t face) {
+    std::unique_ptr<FaceWork> work = std::move(works_[face]);
+    if (work) {
+        kept_ -= parts_[face].triangles.size();
+    } else {
+        const face::Face &own = *model_.faces[face].face;
+        work = std::make_unique<FaceWork>();
+        work->domain = domain_of(*own.surface(), own.covering());
+        work->domain.points = &edges_.points();
+        work->domain.inside = [&own](const face::Point2 &x) { return own.trims().side(x) > 0; };
+        work->domain.cut = [&own](const Rectangle &part) { return own.trims().cuts(part.lower, part.upper); };
+        work->domain.change_border = [this, face, &domain = work->domain](const BorderWish &wish) {
+            const bool changed = change_edges(domain.border, wish);
+            if (changed) {
+                domain.border = border_of(model_, static_cast<int64_t>(face), edges_);
+            }
+            return changed;
+        };
+    }
+    work->domain.border = border_of(model_, static_cast<int64_t>(face), edges_);
+    return work;
+}
+
+void ModelMesher::drop_work(size_t face) {
+    kept_ -= works_[face] ? parts_[face].triangles.size() : 0;
+    works_[face].reset();
+}
+
+// Faces beside others may have to go on. What that takes is kept where it is not too much.
+bool ModelMesher::is_kept(const FaceWork &work, size_t triangles) noexcept {
+    return parts_.size() > 1 && work.mesher->goes_on() && kept_ + triangles <= most_kept;
+}
+
+void ModelMesher::mesh_face(size_t face, bool last) {
+    std::unique_ptr<FaceWork> work = work_for(face);
+    if (last) {
+        work->domain.change_border = {};
+    }
+    bool done = work->mesher && work->mesher->take_border() && work->mesher->run();
+    for (int attempt = 1; !done && attempt <= most_attempts; ++attempt) {
+        if (attempt == most_attempts) {
+            work->domain.change_border = {};
+        }
+        work->mesher.emplace(work->domain, rule_);
+        done = work->mesher->run();
+    }
+    const bool keep = !last && is_kept(*work, work->mesher->triangle_count());
+    parts_[face] = work->mesher->output(!keep);
+    old_[face] = false;
+    if (keep) {
+        kept_ += parts_[face].triangles.size();
+        works_[face] = std::move(work);
+    }
+}
+
+// Where a face needs it. Returns whether there is something new; other faces there are old then.
+bool ModelMesher::change_edges(const FaceBorder &border, const BorderWish &wish) {
+    std::vector<std::pair<int64_t, double>> places; // on polylines
     const auto add = [&](int32_t segment, double share) {
         const BorderSegment &weak = border.segments[static_cast<size_t>(segment)];
         if (weak.line >= 0) {
-            weak_.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
+            places.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
         }
     };
-    for (const auto &[segment, count] : part.weak) {
+    for (const auto &[segment, count] : wish.weak) {
         for (int i = 1; i < count; ++i) {
             add(segment, static_cast<double>(i) / count);
         }
     }
-    for (const auto &[segment, share] : part.touched) {
+    for (const auto &[segment, share] : wish.touched) {
         add(segment, share);
     }
-}
-
-bool ModelMesher::change_edges(std::vector<bool> &old) {
-    std::ranges::sort(weak_);
-    weak_.erase(std::unique(weak_.begin(), weak_.end()), weak_.end());
-    old.assign(old.size(), false);
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
     bool any = false;
-    for (const auto &[line, param] : weak_) {
-        for (const int64_t face : edges_.add_vertex(line, param)) {
-            old[static_cast<size_t>(face)] = any = true;
+    for (const auto &[line, param] : places) {
+        for (const int64_t user : edges_.add_vertex(line, param)) {
+            old_[static_cast<size_t>(user)] = any = true;
         }
     }
-    for (const int64_t face : edges_.unite(united_)) {
-        old[static_cast<size_t>(face)] = any = true;
+    for (const int64_t user : edges_.unite(wish.united)) {
+        old_[static_cast<size_t>(user)] = any = true;
+        drop_work(static_cast<size_t>(user)); // its points are others
     }
     return any;
 }

@@ -51,6 +51,12 @@ void CellTree::coarsen(double factor) {
     boxes_ = std::make_unique<BoxTable>(grid_, rule_.wants_steps());
 }
 
+void CellTree::leave_to_border(const std::vector<int32_t> &cells) noexcept {
+    for (const int32_t cell : cells) {
+        cells_[static_cast<size_t>(cell)].side = Side::border;
+    }
+}
+
 void CellTree::clear() noexcept {
     cells_ = {};
     nodes_ = {};

@@ -66,6 +66,8 @@ public:
     [[nodiscard]] double coarsening() const noexcept { return coarsening_; }
     // Cuts cells in two, along which axis a function of each says. Cells that cannot be cut stay.
     void cut(const std::vector<int32_t> &cells);
+    // Cells that are no longer inside, but at the border.
+    void leave_to_border(const std::vector<int32_t> &cells) noexcept;
     // Frees the memory of cells. Blocks stay.
     void clear() noexcept;
     [[nodiscard]] const std::vector<Cell> &cells() const noexcept { return cells_; }

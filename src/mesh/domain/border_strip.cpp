@@ -10,7 +10,7 @@
 namespace nrb::mesh {
 
 BorderStrip::BorderStrip(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
-                         const std::vector<std::array<double, 2>> &extra)
+                         const std::set<std::array<double, 2>> &extra)
     : domain_(domain), cells_(cells), places_(domain, index, cells, extra) {
     make_strip();
 }

@@ -12,7 +12,7 @@ class BorderStrip {
 public:
     // `extra`: further places of triangles.
     BorderStrip(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
-                const std::vector<std::array<double, 2>> &extra);
+                const std::set<std::array<double, 2>> &extra);
 
     struct Piece {
         std::array<int32_t, 3> sites;

@@ -2,6 +2,7 @@
 #include "mesh/domain/cell_grid.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::mesh {
 
@@ -76,6 +77,15 @@ bool CellGrid::is_crossing(int32_t place) const noexcept {
         result = result && std::ranges::binary_search(tree_.block_ends(k), x[k]);
     }
     return result;
+}
+
+double CellGrid::share(const std::array<double, 2> &a, const std::array<double, 2> &b) const noexcept {
+    double most = 0;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = tree_.block_ends(k);
+        most = std::max(most, std::abs(a[k] - b[k]) / (ends.back() - ends.front()));
+    }
+    return most;
 }
 
 void CellGrid::clear() noexcept {

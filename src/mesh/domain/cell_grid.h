@@ -33,6 +33,11 @@ public:
     // Whether a seam, a line at which the surface may have a kink, or a side of the domain ends there at a pole or at a seam.
     [[nodiscard]] bool ends_line(int32_t place) const noexcept;
 
+    // How far places are from each other, of the domain.
+    [[nodiscard]] double share(const std::array<double, 2> &a, const std::array<double, 2> &b) const noexcept;
+
+    // Cells that are no longer inside, but at the border.
+    void leave_to_border(const std::vector<int32_t> &cells) noexcept { tree_.leave_to_border(cells); }
     // Divides cells. Returns the new numbers of places.
     std::vector<int32_t> cut(const std::vector<int32_t> &cells);
     // Frees the memory. Nothing can be asked for after that.

@@ -82,8 +82,7 @@ bool DomainMesher::divide_far(AngleRefinement &refinement) {
         const AngleRefinement::Divided divided = refinement.divide(t, least_split(i));
         any = any || divided.done;
         if (divided.border >= 0) {
-            int &parts = weak_.try_emplace(divided.border, 2).first->second;
-            parts = std::max(parts, parts_for(i));
+            add_weak(divided.border, parts_for(i));
         }
     }
     return any;

@@ -11,6 +11,17 @@
 
 namespace nrb::mesh {
 
+// What a mesh wants of the border.
+struct BorderWish {
+    // Segments of the border at which triangles are too far off, or that cross others, and into how many parts they
+    // are best divided.
+    std::vector<std::pair<int32_t, int>> weak{};
+    // Segments of the border that go through other places, and where: shares of them.
+    std::vector<std::pair<int32_t, double>> touched{};
+    // Points of the border that are one: the first stands for the second.
+    std::vector<std::array<int32_t, 2>> united{};
+};
+
 // What is to be meshed.
 struct MeshDomain {
     const Spline *surface = nullptr;
@@ -21,8 +32,9 @@ struct MeshDomain {
     // Whether a place is inside, and whether curves of the border come into a rectangle; empty: all of the domain is.
     std::function<bool(const face::Point2 &)> inside{};
     std::function<bool(const Rectangle &)> cut{};
-    // Weak segments of the border are going to be divided; without that, a mesh is not worth being finished.
-    bool border_grows = false;
+    // Changes the border and the points of this domain, where numbers of points stay. Returns whether it did. Empty: they are what
+    // they are.
+    std::function<bool(const BorderWish &)> change_border{};
 };
 
 // Points of vertices are those of the border, or own ones: -1 - i.
@@ -33,13 +45,6 @@ struct DomainMesh {
     std::vector<bool> paired{}; // as of a mesh
     double from_shape = 0, from_mesh = 0;
     bool reached = false;
-    // Segments of the border at which triangles are too far off, or that cross others, and into how many parts they
-    // are best divided.
-    std::vector<std::pair<int32_t, int>> weak{};
-    // Segments of the border that go through other places, and where: shares of them.
-    std::vector<std::pair<int32_t, double>> touched{};
-    // Points of the border that are one: the first stands for the second.
-    std::vector<std::array<int32_t, 2>> united{};
 };
 
 DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule);

@@ -15,15 +15,14 @@ namespace {
 
 // What is left for the differences of an estimate and a proof.
 constexpr double share_of_estimate = 0.97;
-constexpr int most_rounds = 16;
 // Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
 constexpr double least_for_angles = 1e-5;
 
 } // namespace
 
 DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
-    : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)), index_(domain.border),
-      chord_(within_reach(rule.chord, 1e-3)),
+    : domain_(domain), rule_(rule), grid_(pieces::piece_grid_of(*domain.surface)),
+      index_(std::in_place, domain.border), chord_(within_reach(rule.chord, 1e-3)),
       longest_(rule.longest > 0 ? within_reach(rule.longest, 1e-2) : 0),
       angle_(domain.surface->dim() == 3 && rule.angle < std::numbers::pi ? angle_within_reach(rule.angle)
                                                                          : 0),
@@ -32,6 +31,7 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
       proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
     coarsen(cells_.tree().coarsening());
     most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
+    known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;
 }
 
 // Where the work is not enough for what was asked for.
@@ -41,22 +41,27 @@ void DomainMesher::coarsen(double factor) noexcept {
     angle_ *= std::sqrt(factor);
 }
 
-DomainMesh DomainMesher::run() {
-    for (;; ++round_) {
+bool DomainMesher::run() {
+    idle_ = 0;
+    for (bool more = true; more;) {
         triangles_.drop_strip();
         make_cells();
         make_strip();
         sites_.evaluate();
         prove();
-        const bool ends = round_ == most_rounds || work_ended() || !improve();
-        const bool again = domain_.border_grows && (is_weak() || !united_.empty() || !touched_.empty());
-        if (ends && !again) {
-            keep_least_angle();
-        }
-        if (ends || again) {
-            return output();
+        weak_.clear();
+        more = !work_ended() && falls() && improve();
+        ++round_;
+        if (change_border()) {
+            more = true;
+            if (!take_border()) {
+                return false;
+            }
         }
     }
+    weak_.clear();
+    keep_least_angle();
+    return !change_border();
 }
 
 CellRule DomainMesher::cell_rule() const {
@@ -84,7 +89,7 @@ Side DomainMesher::side_of(const Rectangle &part) const {
         around.lower[k] -= near_border * part.side(k);
         around.upper[k] += near_border * part.side(k);
     }
-    if (index_.any_in(around) || domain_.cut(part)) {
+    if (index_->any_in(around) || domain_.cut(part)) {
         return Side::border;
     }
     return domain_.inside({part.lower[0] / 2 + part.upper[0] / 2, part.lower[1] / 2 + part.upper[1] / 2})
@@ -150,7 +155,7 @@ void DomainMesher::make_strip() {
     if (!domain_.inside) {
         return;
     }
-    const BorderStrip strip(domain_, index_, cells_, extra_);
+    const BorderStrip strip(domain_, *index_, cells_, extra_);
     crossed_ = strip.crossed();
     united_ = strip.united();
     touched_ = strip.touched();
@@ -159,9 +164,11 @@ void DomainMesher::make_strip() {
         const SiteTriangle triangle{piece.sites, -1, piece.border, piece.fixed};
         triangles_.add(triangle, mesh_triangle(triangle));
     }
+    std::vector<std::array<double, 2>> more;
     for (const auto &place : divided) {
-        add_place(place, extra_);
+        add_place(place, more);
     }
+    extra_.insert(more.begin(), more.end());
 }
 
 // Whether a site is where the surface ends: at an end of the domain, or where it jumps.
@@ -226,7 +233,9 @@ Distances DomainMesher::distances(size_t triangle) const noexcept {
 }
 
 DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule) {
-    return DomainMesher(domain, rule).run();
+    DomainMesher mesher(domain, rule);
+    static_cast<void>(mesher.run()); // the border stays
+    return mesher.output(true);
 }
 
 } // namespace nrb::mesh

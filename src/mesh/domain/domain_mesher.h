@@ -8,15 +8,27 @@
 #include "mesh/domain/triangle_pool.h"
 
 #include <map>
+#include <optional>
+#include <set>
 
 namespace nrb::mesh {
 
-// Rounds: triangles of cells and of the strip, proofs, and more cells and places where these fail. What a round does not change stays.
+// Rounds: triangles of cells and of the strip, proofs, and more cells, places and vertices of the border where these fail. What a
+// round does not change stays.
 class DomainMesher {
 public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule);
 
-    [[nodiscard]] DomainMesh run();
+    // Until no round would do better, or the work has ended. Returns whether there is a result: else the border is another one, for
+    // which only a new mesher will do.
+    [[nodiscard]] bool run();
+    // Goes on where the border was divided further. Returns whether that is enough for it: else only a new mesher will do.
+    [[nodiscard]] bool take_border();
+    // last: nothing follows, and memory is free for it.
+    [[nodiscard]] DomainMesh output(bool last);
+    [[nodiscard]] size_t triangle_count() const noexcept { return triangles_.size(); }
+    // Whether run() can go on after an output that was not the last one.
+    [[nodiscard]] bool goes_on() const noexcept { return !(rule_.least_angle > 0); }
 
 private:
     // Of the triangles of a cell, side by side.
@@ -51,6 +63,7 @@ private:
         double size = 0;
         std::array<double, 2> place{};
         int32_t border = -1; // segment of the border
+        double share = 0;    // of the domain
     };
     [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
     [[nodiscard]] bool is_large(size_t triangle) const noexcept {
@@ -59,6 +72,7 @@ private:
     [[nodiscard]] bool is_long(size_t triangle) const noexcept {
         return longest_ > 0 && !(longest_side(triangles_[triangle]) <= longest_);
     }
+    [[nodiscard]] double corners_off(size_t triangle) const noexcept;
     [[nodiscard]] bool is_held(size_t triangle) const noexcept;
     [[nodiscard]] bool is_over(size_t triangle) const {
         return is_large(triangle) || is_turned(triangles_[triangle]);
@@ -72,11 +86,16 @@ private:
     }
     [[nodiscard]] bool is_to_divide(size_t triangle) const;
     [[nodiscard]] double least_split(size_t triangle) const noexcept;
+    [[nodiscard]] bool is_tiny(size_t triangle, const Split &split) const noexcept;
+    [[nodiscard]] bool can_cut(int32_t cell) const noexcept;
     [[nodiscard]] int parts_for(size_t triangle) const noexcept;
+    void add_weak(int32_t segment, int parts);
     [[nodiscard]] bool is_pair(size_t triangle) const noexcept;
-    [[nodiscard]] bool is_weak() const;
+    [[nodiscard]] bool change_border();
+    void leave_border();
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
+    [[nodiscard]] bool falls();
     [[nodiscard]] bool improve();
     void keep_least_angle();
     [[nodiscard]] AngleRefinement refinement();
@@ -86,20 +105,23 @@ private:
     [[nodiscard]] std::vector<std::array<int32_t, 3>> all_points() const;
     [[nodiscard]] bool judge(DomainMesh &result) const;
     bool add_triangles(DomainMesh &result) const;
-    [[nodiscard]] DomainMesh output();
 
     const MeshDomain &domain_;
     const MeshRule &rule_;
     const pieces::PieceGrid &grid_;
-    SegmentIndex index_;
+    std::optional<SegmentIndex> index_;
     double chord_, longest_, angle_; // that triangles are made for
     double least_;                   // in the units of the grid
     CellGrid cells_;
     double most_apart_; // of unit normals
     Sites sites_;
     TriangleProof proof_;
-    std::vector<std::array<double, 2>> extra_; // places of the strip besides
-    int round_ = 0;
+    std::set<std::array<double, 2>> extra_; // places of the strip besides
+    int round_ = 0;                         // since the border changed
+    int idle_ = 0;                          // rounds in which the largest distance did not fall,
+    double least_most_ = infinity;          // below the least so far
+    int changes_ = 0;                       // of the border, for other sakes than distances
+    int32_t known_points_ = 0;              // of the domain
     std::vector<CellState> states_;
     TrianglePool triangles_;
     double slack_ = 0;                                // what rounding adds to distances

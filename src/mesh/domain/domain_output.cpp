@@ -83,12 +83,12 @@ bool DomainMesher::add_triangles(DomainMesh &result) const {
         int32_t &own = sites[static_cast<size_t>(site)];
         if (own < 0) {
             own = static_cast<int32_t>(result.vertices.size());
-            int32_t point = sites_[site].point;
-            if (point >= sites_.first_point()) {
-                int32_t &number = points[static_cast<size_t>(point)];
+            int32_t point = sites_.border_of(sites_[site].point);
+            if (point < 0) {
+                int32_t &number = points[static_cast<size_t>(sites_[site].point)];
                 if (number < 0) {
                     number = static_cast<int32_t>(result.points.size());
-                    result.points.push_back(sites_.point(point));
+                    result.points.push_back(sites_.point(sites_[site].point));
                 }
                 point = -1 - number;
             }
@@ -96,7 +96,7 @@ bool DomainMesher::add_triangles(DomainMesh &result) const {
         }
         return own;
     };
-    result.points.reserve(static_cast<size_t>(sites_.point_count() - sites_.first_point()));
+    result.points.reserve(static_cast<size_t>(sites_.point_count()));
     result.vertices.reserve(sites_.all().size());
     result.triangles.reserve(result.paired.size());
     bool drops = false;
@@ -115,23 +115,19 @@ bool DomainMesher::add_triangles(DomainMesh &result) const {
     return drops;
 }
 
-DomainMesh DomainMesher::output() {
+DomainMesh DomainMesher::output(bool last) {
     DomainMesh result;
     const bool good = judge(result);
-    states_ = {}; // what follows takes as much memory
-    cells_.clear();
+    if (last) { // what follows takes as much memory
+        states_ = {};
+        cells_.clear();
+    }
     const bool drops = add_triangles(result);
     const bool whole = crossed_.empty() && !result.triangles.empty() &&
                        (!drops || have_all_dropped(all_points())) && is_whole();
     const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
     result.reached = whole && good && as_asked && !has_small_angles_;
     result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
-    result.united = united_;
-    result.touched = touched_;
-    for (const int32_t segment : crossed_) { // in parts of which many no longer cross
-        weak_.try_emplace(segment, 4);
-    }
-    result.weak.assign(weak_.begin(), weak_.end());
     return result;
 }
 

@@ -12,6 +12,12 @@ namespace {
 
 // Rounds in which the strip is divided for an angle.
 constexpr int most_angle_rounds = 10;
+// Changes of the border for other sakes than distances.
+constexpr int most_changes = 12;
+// Rounds in which the largest distance does not fall.
+constexpr int most_idle = 6;
+// Of the domain: what is no longer is not divided where that helps, and where nothing is known of it.
+constexpr double least_share = 0x1p-26, least_unknown = 0x1p-12;
 
 } // namespace
 
@@ -24,17 +30,19 @@ double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
     return longest;
 }
 
-// Where a triangle of the strip is best divided: at a pole on that side, else on the longest one that can be.
+// Where a triangle of the strip is best divided: at a pole on that side, else on the one over which the surface is longest, of those that
+// can be.
 DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     Split best;
     for (size_t k = 0; k < 3; ++k) {
         const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
         const Site &a = sites_[from], &b = sites_[to];
         const bool pole = a.point == b.point;
-        const double size = pole ? infinity : length(sites_.position(from) - sites_.position(to));
+        const double size = pole ? infinity : sites_.way(from, to);
         const bool can = pole || !triangle.fixed[k] || triangle.border[k] >= 0;
         if (can && size > best.size) {
             best = {size, {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2}, triangle.border[k]};
+            best.share = cells_.share(a.param, b.param);
         }
     }
     return best;
@@ -56,13 +64,18 @@ double DomainMesher::turn_over(const SiteTriangle &triangle) const {
     return triangle.cell < 0 ? 0 : turn_of(cells_.tree().box(triangle.cell), least_).both;
 }
 
-// Whether a corner on an edge is so far from the surface that parts would be as far as the triangle is, by a factor.
-bool DomainMesher::is_held(size_t triangle) const noexcept {
-    constexpr double factor = 2;
+double DomainMesher::corners_off(size_t triangle) const noexcept {
     double off = 0;
     for (const int32_t site : triangles_[triangle].sites) {
         off = std::max(off, length(sites_.point(sites_[site].point) - sites_.position(site)));
     }
+    return off;
+}
+
+// Whether a corner on an edge is so far from the surface that parts would be as far as the triangle is, by a factor.
+bool DomainMesher::is_held(size_t triangle) const noexcept {
+    constexpr double factor = 2;
+    const double off = corners_off(triangle);
     return off > chord_ && distances(triangle).most() <= factor * off;
 }
 
@@ -83,6 +96,19 @@ double DomainMesher::least_split(size_t triangle) const noexcept {
                                : chord_ / 4;
 }
 
+// Corners may be near each other where the surface between them is not, so that distances count as long as there are such.
+bool DomainMesher::is_tiny(size_t triangle, const Split &split) const noexcept {
+    const bool known =
+        is_large(triangle) && distances(triangle).most() < infinity && !(corners_off(triangle) > chord_);
+    return split.share <= least_share || (!known && split.size <= least_split(triangle) &&
+                                          (split.border < 0 || split.share <= least_unknown));
+}
+
+bool DomainMesher::can_cut(int32_t cell) const noexcept {
+    const Rectangle part = cells_.tree().rectangle(cells_.tree().cells()[static_cast<size_t>(cell)]);
+    return cells_.share(part.lower, part.upper) > least_share;
+}
+
 // What is beside a segment shrinks with the square of its length, and normals turn with the length.
 int DomainMesher::parts_for(size_t triangle) const noexcept {
     constexpr double most = 8;
@@ -91,13 +117,59 @@ int DomainMesher::parts_for(size_t triangle) const noexcept {
     return static_cast<int>(parts >= 2 ? std::min(parts, most) : 2);
 }
 
-// Whether there are segments that can be divided.
-bool DomainMesher::is_weak() const {
-    const auto divides = [&](int32_t segment) {
-        return domain_.border.segments[static_cast<size_t>(segment)].line >= 0;
-    };
-    return std::ranges::any_of(weak_, [&](const auto &weak) { return divides(weak.first); }) ||
-           std::ranges::any_of(crossed_, divides);
+void DomainMesher::add_weak(int32_t segment, int parts) {
+    int &own = weak_.try_emplace(segment, 2).first->second;
+    own = std::max(own, parts);
+}
+
+// Where the work has ended, only so that there is a mesh at all.
+bool DomainMesher::change_border() {
+    if (!domain_.change_border) {
+        return false;
+    }
+    BorderWish wish;
+    if (changes_ < most_changes) {
+        for (const int32_t segment : crossed_) { // in parts of which many no longer cross
+            weak_.try_emplace(segment, 4);
+        }
+        wish.united = united_;
+        wish.touched = touched_;
+    }
+    wish.weak.assign(weak_.begin(), weak_.end());
+    const bool crosses = !(crossed_.empty() && united_.empty() && touched_.empty());
+    changes_ += crosses || angle_ > 0 ? 1 : 0;
+    return !(wish.weak.empty() && wish.united.empty() && wish.touched.empty()) && domain_.change_border(wish);
+}
+
+bool DomainMesher::take_border() {
+    index_.emplace(domain_.border);
+    proof_.forget_border();
+    leave_border();
+    known_points_ = static_cast<int32_t>(domain_.points->size());
+    round_ = 0;
+    return united_.empty() && sites_.take_border();
+}
+
+// New segments are where their curves are, a little beside the old ones: cells into which they come are no longer inside.
+void DomainMesher::leave_border() {
+    const FaceBorder &border = domain_.border;
+    const auto point = [&](int32_t i) { return border.points[static_cast<size_t>(i)]; };
+    for (const BorderSegment &segment : border.segments) {
+        const BorderPoint a = point(segment.from), b = point(segment.to);
+        if (std::max(a.point, b.point) < known_points_) {
+            continue;
+        }
+        const Rectangle around{{std::min(a.param[0], b.param[0]), std::min(a.param[1], b.param[1])},
+                               {std::max(a.param[0], b.param[0]), std::max(a.param[1], b.param[1])}};
+        std::vector<int32_t> entered;
+        cells_.tree().for_each_in(around, [&](int32_t number) {
+            const Cell &cell = cells_.tree().cells()[static_cast<size_t>(number)];
+            if (cell.side == Side::inside && index_->any_in(cells_.tree().rectangle(cell))) {
+                entered.push_back(number);
+            }
+        });
+        cells_.leave_to_border(entered);
+    }
 }
 
 void DomainMesher::cut(const std::vector<int32_t> &cells) {
@@ -133,36 +205,52 @@ void DomainMesher::add_place(const std::array<double, 2> &place,
     }
 }
 
+// Whether the largest distance falls, or says nothing: edges that are farther from the surface than the chord hold it, however
+// much is divided beside them.
+bool DomainMesher::falls() {
+    double most = 0;
+    for (size_t i = 0; i < triangles_.size(); ++i) {
+        most = triangles_.has(i) ? std::max(most, distances(i).most()) : most;
+    }
+    const bool is_held = most > chord_ && most < infinity && !(longest_ > 0);
+    idle_ = is_held && !(most < least_most_ * (1 - 0x1p-10)) ? idle_ + 1 : 0;
+    least_most_ = is_held ? std::min(most, least_most_) : infinity;
+    return idle_ < most_idle;
+}
+
 // Cells over the tolerance are cut, triangles of the strip get a new place.
 bool DomainMesher::improve() {
     std::vector<int32_t> over;
     std::vector<std::array<double, 2>> more;
-    weak_.clear();
     for (size_t i = 0; i < triangles_.size(); ++i) {
         if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
         const SiteTriangle triangle = triangles_[i];
         if (triangle.cell >= 0) { // without any bound they are as small as is sensible
-            if (distances(i).from_shape < infinity) {
+            if (distances(i).from_shape < infinity && can_cut(triangle.cell)) {
                 over.push_back(triangle.cell);
             }
             continue;
         }
         const Split split = split_of(triangle);
-        const bool tiny = split.size <= least_split(i);
-        if (split.border >= 0 && (is_large(i) || !tiny)) {
-            int &parts = weak_.try_emplace(split.border, 2).first->second;
-            parts = std::max(parts, parts_for(i));
-        } else if (split.border < 0 && !tiny) {
+        if (is_tiny(i, split)) {
+            continue;
+        }
+        if (split.border < 0 && !extra_.contains(split.place)) {
             add_place(split.place, more);
+        } else if (is_large(i) || changes_ < most_changes) { // also where a place is on the border
+            for (const int32_t segment : triangle.border) {
+                if (segment >= 0 && (split.border < 0 || segment == split.border)) {
+                    add_weak(segment, parts_for(i));
+                }
+            }
         }
     }
     std::ranges::sort(over);
     over.erase(std::unique(over.begin(), over.end()), over.end());
-    std::ranges::sort(more);
-    more.erase(std::unique(more.begin(), more.end()), more.end());
-    extra_.insert(extra_.end(), more.begin(), more.end());
+    const size_t known = extra_.size();
+    extra_.insert(more.begin(), more.end());
     const auto before = static_cast<int32_t>(cells_.tree().cells().size());
     cut(over);
     if (round_ >= 4 && !over.empty()) { // few are left, and every round takes its time: across both axes
@@ -171,7 +259,7 @@ bool DomainMesher::improve() {
         }
         cut(over);
     }
-    return !over.empty() || !more.empty();
+    return !over.empty() || extra_.size() > known;
 }
 
 } // namespace nrb::mesh

@@ -27,14 +27,28 @@ void resize(std::vector<T> &values, size_t n, const T &value = T{}) {
 
 Sites::Sites(const MeshDomain &domain, const CellGrid &cells)
     : domain_(domain), cells_(cells), place_sites_(static_cast<size_t>(cells.table().count()), -1),
-      place_points_(place_sites_.size(), -1),
-      first_point_(domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0),
-      next_point_(first_point_) {
-    for (const BorderPoint &point : domain_.border.points) {
-        border_points_.try_emplace(point.param, point.point);
-    }
-    set_border_points();
+      place_points_(place_sites_.size(), -1) {
+    static_cast<void>(take_border()); // of no sites yet
     make_room();
+}
+
+int32_t Sites::add_point(int32_t border) {
+    points_.push_back({border});
+    return static_cast<int32_t>(points_.size()) - 1;
+}
+
+int32_t Sites::point_of_border(int32_t border) {
+    const auto [known, fresh] = of_border_.try_emplace(border, point_count());
+    return fresh ? add_point(border) : known->second;
+}
+
+bool Sites::take_border() {
+    bool apart = true;
+    for (const BorderPoint &point : domain_.border.points) {
+        const bool fresh = border_points_.try_emplace(point.param, point.point).second;
+        apart = apart && !(fresh && param_points_.contains(before_seams(point.param)));
+    }
+    return set_border_points() && apart;
 }
 
 // All places are sites where all of the domain is inside.
@@ -44,24 +58,28 @@ void Sites::make_room() {
     }
 }
 
-void Sites::set_point(int32_t place, int32_t point) {
+// Returns whether the place is at no own point.
+bool Sites::set_point(int32_t place, int32_t border) {
     int32_t &own = place_points_[static_cast<size_t>(cells_.table().point_of(place))];
-    own = own < 0 ? point : own;
+    own = own < 0 ? point_of_border(border) : own;
+    return border_of(own) >= 0;
 }
 
-// Points of the border stand for the places at which they are, and for poles.
-void Sites::set_border_points() {
+// Points of the border stand for the places at which they are, and for poles. Returns whether all of these do.
+bool Sites::set_border_points() {
+    bool all = true;
     for (const auto &[param, point] : border_points_) {
         if (const int32_t pole = cells_.pole_at(param); pole >= 0) {
-            set_point(pole, point);
+            all = set_point(pole, point) && all;
         }
     }
     for (int32_t i = 0; i < cells_.table().count() && !border_points_.empty(); ++i) {
         const auto found = border_points_.find(cells_.param(i));
         if (found != border_points_.end()) {
-            set_point(i, found->second);
+            all = set_point(i, found->second) && all;
         }
     }
+    return all;
 }
 
 void Sites::renumber(const std::vector<int32_t> &places) {
@@ -85,7 +103,7 @@ int32_t Sites::of_place(int32_t place) {
     if (site < 0) {
         const auto lines = cells_.table().place(place).lines;
         int32_t &point = place_points_[static_cast<size_t>(cells_.table().point_of(place))];
-        point = point < 0 ? next_point_++ : point;
+        point = point < 0 ? add_point(-1) : point;
         Site made;
         for (size_t k = 0; k < 2; ++k) {
             const CellLine &line = cells_.tree().lines(k)[static_cast<size_t>(lines[k])];
@@ -108,25 +126,24 @@ std::array<double, 2> Sites::before_seams(std::array<double, 2> param) const noe
     return param;
 }
 
-int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int32_t point) {
+int32_t Sites::of_param(const std::array<double, 2> &param, int32_t number, int32_t border) {
     const auto [known, fresh] = param_sites_.try_emplace({param[0], param[1], static_cast<double>(number)},
                                                          static_cast<int32_t>(sites_.size()));
     if (!fresh) {
         return known->second;
     }
     const Rectangle block = cells_.tree().block(number);
-    Site site{param, {}, point};
+    Site site{param, {}, border < 0 ? -1 : point_of_border(border)};
     for (size_t k = 0; k < 2; ++k) {
         site.from_left[k] = param[k] == block.upper[k];
     }
-    if (const int32_t pole = point < 0 ? cells_.pole_at(param) : -1; pole >= 0) {
+    if (const int32_t pole = border < 0 ? cells_.pole_at(param) : -1; pole >= 0) {
         int32_t &own = place_points_[static_cast<size_t>(cells_.table().point_of(pole))];
-        own = own < 0 ? next_point_++ : own;
+        own = own < 0 ? add_point(-1) : own;
         site.point = own;
-    } else if (point < 0) {
-        const auto [own, none] = param_points_.try_emplace(before_seams(param), next_point_);
-        next_point_ += none ? 1 : 0;
-        site.point = own->second;
+    } else if (border < 0) {
+        const auto [own, none] = param_points_.try_emplace(before_seams(param), point_count());
+        site.point = none ? add_point(-1) : own->second;
     }
     sites_.push_back(site);
     return known->second;
@@ -140,13 +157,24 @@ void Sites::evaluate() {
     for (size_t first = known; first < sites_.size(); first += most_at_once) {
         evaluate(first, std::min(first + most_at_once, sites_.size()));
     }
-    resize(point_sites_, static_cast<size_t>(next_point_ - first_point_), -1);
     for (size_t i = known; i < sites_.size(); ++i) {
-        if (sites_[i].point >= first_point_) {
-            int32_t &first = point_sites_[static_cast<size_t>(sites_[i].point - first_point_)];
-            first = first < 0 ? static_cast<int32_t>(i) : first;
-        }
+        int32_t &first = points_[static_cast<size_t>(sites_[i].point)].site;
+        first = first < 0 ? static_cast<int32_t>(i) : first;
     }
+}
+
+double Sites::way(int32_t from, int32_t to) const {
+    const Site &a = (*this)[from], &b = (*this)[to];
+    std::array<double, 2> middle{};
+    eval::AxisRules rules{};
+    for (size_t k = 0; k < 2; ++k) {
+        middle[k] = a.param[k] / 2 + b.param[k] / 2;
+        rules[k].left = a.from_left[k] && b.from_left[k];
+    }
+    Vector3 x{0, 0, 0};
+    eval::evaluate_points(*domain_.surface, rules, 0, {middle.data(), 1, 2, 2, 1},
+                          {&x.x, 1, domain_.surface->dim(), 3, 1});
+    return length(x - position(from)) + length(position(to) - x);
 }
 
 // In groups of equal sides.

@@ -6,7 +6,7 @@
 namespace nrb::mesh {
 
 StripPlaces::StripPlaces(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
-                         const std::vector<std::array<double, 2>> &extra)
+                         const std::set<std::array<double, 2>> &extra)
     : domain_(domain), index_(index), cells_(cells) {
     add_border();
     look_at_cells();

@@ -18,7 +18,7 @@ class StripPlaces {
 public:
     // `extra`: further places of triangles.
     StripPlaces(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
-                const std::vector<std::array<double, 2>> &extra);
+                const std::set<std::array<double, 2>> &extra);
 
     // Those of the border come first, in their order; others only where none of the border is.
     [[nodiscard]] const std::vector<std::array<double, 2>> &points() const noexcept { return points_; }

@@ -94,6 +94,13 @@ ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
     return known->second;
 }
 
+void TriangleProof::forget_border() {
+    std::erase_if(known_, [](const auto &known) {
+        const Key &key = known.first;
+        return key[3] >= 0 || key[4] >= 0 || key[5] >= 0;
+    });
+}
+
 TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const {
     Placed result;
     for (size_t k = 0; k < 3; ++k) {

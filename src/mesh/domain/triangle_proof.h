@@ -30,6 +30,8 @@ public:
 
     // Bounds of the strip are kept: most triangles stay from one round to the next. In units of the grid.
     [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle);
+    // Where segments of the border have new numbers.
+    void forget_border();
 
 private:
     using Key = std::array<int32_t, 6>;

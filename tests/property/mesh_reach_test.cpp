@@ -1,0 +1,69 @@
+// Faces of wild surfaces: wherever the mesh of a surface reaches a chord, so do those of its faces, and each says what it holds.
+#include "property/mesh_samples.h"
+#include "support/cases.h"
+
+#include <gtest/gtest.h>
+
+namespace mesh_reach_test {
+
+using namespace support;
+using namespace support::meshes;
+using faces::polygon;
+
+namespace {
+
+Vec clamped_knots(int count, int degree) {
+    Vec knots(static_cast<size_t>(degree), 0);
+    for (int i = 0; i <= count - degree; ++i) {
+        knots.push_back(static_cast<double>(i) / (count - degree));
+    }
+    knots.insert(knots.end(), static_cast<size_t>(degree), 1);
+    return knots;
+}
+
+// Degrees 3 and 2 over the unit square, up and down by its size from each control point to the next one.
+Handle wild(Random &random, int rows, int columns) {
+    const int32_t degrees[] = {3, 2};
+    const int64_t counts[] = {rows, columns};
+    Vec knots = clamped_knots(rows, degrees[0]), points;
+    const Vec more = clamped_knots(columns, degrees[1]);
+    knots.insert(knots.end(), more.begin(), more.end());
+    for (int i = 0; i < rows; ++i) {
+        for (int j = 0; j < columns; ++j) {
+            points.insert(points.end(), {static_cast<double>(i) / (rows - 1),
+                                         static_cast<double>(j) / (columns - 1), random.between(-1, 1)});
+        }
+    }
+    return made([&](nurbs **out) {
+        return nurbs_create(2, degrees, counts, knots.data(), static_cast<int64_t>(knots.size()), 3,
+                            points.data(), 0, 0, nullptr, 0, 0, out);
+    });
+}
+
+void expect_as_near(const nurbs *ground, const nurbs_face *face, double chord, Random &random) {
+    const Mesh mesh = mesh_of(face, chord);
+    EXPECT_EQ(mesh.reached, mesh_of(ground, chord).reached) << "chord " << chord;
+    EXPECT_LE(std::max(mesh.from_shape, mesh.from_mesh), chord);
+    expect_whole(mesh);
+    expect_shape_near(ground, face, mesh, random, 200);
+}
+
+} // namespace
+
+TEST(MeshReach, faces_reach_what_their_surface_does) {
+    for (int seed = 1; seed <= scaled(6); ++seed) {
+        Random random(static_cast<uint64_t>(seed));
+        const Handle ground = wild(random, 14, seed % 2 == 0 ? 3 : 9);
+        const Handle border = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}),
+                     hole = polygon({{0.3, 0.3}, {0.3, 0.62}, {0.62, 0.55}, {0.62, 0.33}});
+        const faces::Face own = faces::face_of(ground.get(), {{border.get()}}),
+                          trimmed = faces::face_of(ground.get(), {{border.get()}, {hole.get()}});
+        for (const double chord : {1.0, 0.3, 0.03}) {
+            SCOPED_TRACE(seed);
+            expect_as_near(ground.get(), own.get(), chord, random);
+            expect_as_near(ground.get(), trimmed.get(), chord, random);
+        }
+    }
+}
+
+} // namespace mesh_reach_test
