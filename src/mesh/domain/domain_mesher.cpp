@@ -15,6 +15,8 @@ namespace {
 
 // What is left for the differences of an estimate and a proof.
 constexpr double share_of_estimate = 0.97;
+// Where edges are farther from the surface than the chord, so that it is not reached.
+constexpr int most_rounds_off = 16;
 // Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
 constexpr double least_for_angles = 1e-5;
 
@@ -42,7 +44,6 @@ void DomainMesher::coarsen(double factor) noexcept {
 }
 
 bool DomainMesher::run() {
-    idle_ = 0;
     for (bool more = true; more;) {
         triangles_.drop_strip();
         make_cells();
@@ -50,8 +51,9 @@ bool DomainMesher::run() {
         sites_.evaluate();
         prove();
         weak_.clear();
-        more = !work_ended() && falls() && improve();
+        more = !work_ended() && !(is_off_ && all_rounds_ >= most_rounds_off) && improve();
         ++round_;
+        ++all_rounds_;
         if (change_border()) {
             more = true;
             if (!take_border()) {

@@ -95,7 +95,6 @@ private:
     void leave_border();
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
-    [[nodiscard]] bool falls();
     [[nodiscard]] bool improve();
     void keep_least_angle();
     [[nodiscard]] AngleRefinement refinement();
@@ -118,10 +117,10 @@ private:
     TriangleProof proof_;
     std::set<std::array<double, 2>> extra_; // places of the strip besides
     int round_ = 0;                         // since the border changed
-    int idle_ = 0;                          // rounds in which the largest distance did not fall,
-    double least_most_ = infinity;          // below the least so far
-    int changes_ = 0;                       // of the border, for other sakes than distances
-    int32_t known_points_ = 0;              // of the domain
+    int all_rounds_ = 0;
+    bool is_off_ = false;      // a triangle has a corner farther from the surface than the chord
+    int changes_ = 0;          // of the border, for other sakes than distances
+    int32_t known_points_ = 0; // of the domain
     std::vector<CellState> states_;
     TrianglePool triangles_;
     double slack_ = 0;                                // what rounding adds to distances

@@ -14,8 +14,6 @@ namespace {
 constexpr int most_angle_rounds = 10;
 // Changes of the border for other sakes than distances.
 constexpr int most_changes = 12;
-// Rounds in which the largest distance does not fall.
-constexpr int most_idle = 6;
 // Of the domain: what is no longer is not divided where that helps, and where nothing is known of it.
 constexpr double least_share = 0x1p-26, least_unknown = 0x1p-12;
 
@@ -205,24 +203,12 @@ void DomainMesher::add_place(const std::array<double, 2> &place,
     }
 }
 
-// Whether the largest distance falls, or says nothing: edges that are farther from the surface than the chord hold it, however
-// much is divided beside them.
-bool DomainMesher::falls() {
-    double most = 0;
-    for (size_t i = 0; i < triangles_.size(); ++i) {
-        most = triangles_.has(i) ? std::max(most, distances(i).most()) : most;
-    }
-    const bool is_held = most > chord_ && most < infinity && !(longest_ > 0);
-    idle_ = is_held && !(most < least_most_ * (1 - 0x1p-10)) ? idle_ + 1 : 0;
-    least_most_ = is_held ? std::min(most, least_most_) : infinity;
-    return idle_ < most_idle;
-}
-
 // Cells over the tolerance are cut, triangles of the strip get a new place.
 bool DomainMesher::improve() {
     std::vector<int32_t> over;
     std::vector<std::array<double, 2>> more;
     for (size_t i = 0; i < triangles_.size(); ++i) {
+        is_off_ = is_off_ || (triangles_.has(i) && is_large(i) && corners_off(i) > chord_);
         if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
