@@ -137,4 +137,12 @@ CrossCurve cross_curve(CrossFitter &fitter, const pieces::Frame &frame, const Cr
     return CrossCurveMaker(frame, a, b, std::move(segments), chain.closed).run();
 }
 
+MeetBranch branch_along(CrossCurve curve, const std::array<int64_t, 2> &nodes, int64_t loop,
+                        BranchKind kind) {
+    MeetBranch branch{0, std::move(curve.space), std::move(curve.on[0]), curve.deviation, nodes, loop};
+    branch.on_second = std::move(curve.on[1]);
+    branch.kind = kind;
+    return branch;
+}
+
 } // namespace nrb::intersect

@@ -15,6 +15,9 @@ struct CrossCurve {
     double deviation; // of all, in space
 };
 
+// A branch along it, of level 0.
+MeetBranch branch_along(CrossCurve curve, const std::array<int64_t, 2> &nodes, int64_t loop, BranchKind kind);
+
 CrossCurve cross_curve(const pieces::Frame &frame, const CrossSurface &a, const CrossSurface &b,
                        std::vector<CrossSegment> segments, bool closed);
 CrossCurve cross_curve(CrossFitter &fitter, const pieces::Frame &frame, const CrossSurface &a,

@@ -74,15 +74,8 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
         meet.nodes, [](const MeetNode &node) { return node.kind == NodeKind::undecided; });
     CrossFitter fitter(degrees_of(a), degrees_of(b), in_frame);
     for (const CrossChain &chain : chains.chains) {
-        CrossCurve curve = cross_curve(fitter, search.frame(), on_a, on_b, found, chain);
-        MeetBranch &branch = meet.branches.emplace_back();
-        branch.level = 0;
-        branch.space = std::move(curve.space);
-        branch.on = std::move(curve.on[0]);
-        branch.on_second = std::move(curve.on[1]);
-        branch.deviation = curve.deviation;
-        branch.nodes = chain.nodes;
-        branch.loop = chain.loop;
+        meet.branches.push_back(branch_along(cross_curve(fitter, search.frame(), on_a, on_b, found, chain),
+                                             chain.nodes, chain.loop, BranchKind::crossing));
     }
     add_branches(contacts, search.frame(), on_a, on_b, meet);
     if (overlaps) {

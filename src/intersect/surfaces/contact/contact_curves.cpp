@@ -59,16 +59,9 @@ private:
         meet_.nodes[static_cast<size_t>(to)].next = from;
     }
     void add_branch(std::vector<CrossSegment> segments, bool closed, const std::array<int64_t, 2> &nodes) {
-        CrossCurve curve = cross_curve(frame_, *surfaces_[0], *surfaces_[1], std::move(segments), closed);
-        MeetBranch &branch = meet_.branches.emplace_back();
-        branch.level = 0;
-        branch.space = std::move(curve.space);
-        branch.on = std::move(curve.on[0]);
-        branch.on_second = std::move(curve.on[1]);
-        branch.deviation = curve.deviation;
-        branch.nodes = nodes;
-        branch.loop = loop_;
-        branch.kind = BranchKind::touch;
+        meet_.branches.push_back(
+            branch_along(cross_curve(frame_, *surfaces_[0], *surfaces_[1], std::move(segments), closed),
+                         nodes, loop_, BranchKind::touch));
     }
 
     const pieces::Frame &frame_;

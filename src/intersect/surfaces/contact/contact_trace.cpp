@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/surfaces/cubic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,38 +82,39 @@ bool ContactTracer::is_border(size_t i, double at) const noexcept {
            (at >= grid.break_at(axis, k + 1) && !ground.borders.goes_on(i % 2, k, true));
 }
 
+ContactTracer::Break ContactTracer::first_break(const CrossPlace &from, const CrossPlace &to) const noexcept {
+    Break first;
+    for (size_t i = 0; i < 4; ++i) {
+        const double at = break_between(i, from[i], to[i]), share = (at - from[i]) / (to[i] - from[i]);
+        if (share < first.share) {
+            first = {i, share, at};
+        }
+    }
+    return first;
+}
+
 // To where the first coordinate that reaches a side of its piece does so.
 bool ContactTracer::stop_at_break(const ContactPoint &from, double way, Step &result) const {
     constexpr int most_tries = 8;
-    size_t coordinate = 4;
-    double share = 1, at = 0;
-    for (size_t i = 0; i < 4; ++i) {
-        const double side = break_between(i, from.at[i], result.to.at[i]);
-        const double own = (side - from.at[i]) / (result.to.at[i] - from.at[i]);
-        if (own < share) {
-            share = own;
-            coordinate = i;
-            at = side;
-        }
-    }
-    if (coordinate == 4) {
+    const Break first = first_break(from.at, result.to.at);
+    if (first.coordinate == 4) {
         return true;
     }
-    double length = share * way;
+    double length = first.share * way;
     for (int i = 0; i < most_tries; ++i) {
         const std::optional<ContactPoint> to = next(from, length);
         if (!to) {
             return false;
         }
         result.to = *to;
-        const double off = at - to->at[coordinate], by = off / to->along_on[coordinate];
+        const double off = first.at - to->at[first.coordinate], by = off / to->along_on[first.coordinate];
         if (!std::isfinite(by) || std::abs(by) <= 0x1p-48) {
             break;
         }
         length += by;
     }
-    result.to.at[coordinate] = at;
-    result.border = is_border(coordinate, at);
+    result.to.at[first.coordinate] = first.at;
+    result.border = is_border(first.coordinate, first.at);
     return std::abs(length) <= 1.5 * std::abs(way) && length * way > 0;
 }
 
@@ -181,28 +183,6 @@ bool ContactTracer::step(const ContactPoint &from, double way, Step &result) con
     result.border = false;
     return stop_at_break(from, way, result) && fit(from, result.to, way, result.segment);
 }
-
-namespace {
-
-// A cubic of control points.
-template <class Points>
-class Bezier {
-public:
-    explicit Bezier(const Points &points) noexcept : points_(points) {}
-    [[nodiscard]] double coordinate(size_t c, double t) const noexcept {
-        const double s = 1 - t;
-        return s * s * s * points_[0][c] + 3 * s * s * t * points_[1][c] + 3 * s * t * t * points_[2][c] +
-               t * t * t * points_[3][c];
-    }
-    [[nodiscard]] Vector3 at(double t) const noexcept {
-        return {coordinate(0, t), coordinate(1, t), coordinate(2, t)};
-    }
-
-private:
-    const Points &points_;
-};
-
-} // namespace
 
 ContactTracer::End ContactTracer::follow(const ContactPoint &start, double way,
                                          std::vector<ContactPoint> &places,
@@ -297,13 +277,13 @@ bool ContactTracer::is_contact(const ContactCurve &curve, double change) const {
 bool ContactTracer::passes(const ContactCurve &curve, const ContactPoint &place) const noexcept {
     constexpr int parts = 32;
     for (const CrossSegment &segment : curve.segments) {
-        if (length(Bezier(segment.space).at(0) - place.a) > 2 * segment.length + tolerance_) {
+        if (length(Cubic(segment.space).at(0) - place.a) > 2 * segment.length + tolerance_) {
             continue;
         }
         const double bow = (segment.length / parts) * (segment.length / parts);
-        Vector3 from = Bezier(segment.space).at(0);
+        Vector3 from = Cubic(segment.space).at(0);
         for (int i = 1; i <= parts; ++i) {
-            const Vector3 to = Bezier(segment.space).at(static_cast<double>(i) / parts), way = to - from;
+            const Vector3 to = Cubic(segment.space).at(static_cast<double>(i) / parts), way = to - from;
             const double share =
                 std::clamp(dot(place.a - from, way) / std::max(dot(way, way), 1e-300), 0.0, 1.0);
             if (length(place.a - from - share * way) <= tolerance_ + bow &&
@@ -322,7 +302,7 @@ bool ContactTracer::are_near(const CrossSegment &segment, double t,
     bool all = true;
     for (size_t i = 0; i < 4; ++i) {
         const double period = solver_.ground(i / 2).borders.period(i % 2);
-        const double turns = (Bezier(segment.on[i / 2]).coordinate(i % 2, t) - place.at[i]) / period;
+        const double turns = (Cubic(segment.on[i / 2]).coordinate(i % 2, t) - place.at[i]) / period;
         all = all && std::abs(turns - std::round(turns)) <= near;
     }
     return all;

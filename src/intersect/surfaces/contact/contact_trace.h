@@ -35,8 +35,12 @@ public:
     // is farther from a surface than the tolerance.
     [[nodiscard]] bool fit(const ContactPoint &from, const ContactPoint &to, double way,
                            CrossSegment &segment) const;
-    // The first break of coordinate i after `from` on the way to `to`; NaN: there is none.
-    [[nodiscard]] double break_between(size_t i, double from, double to) const noexcept;
+    // The first side of a piece that a coordinate reaches on the way from one place to another, by shares of the way.
+    struct Break {
+        size_t coordinate = 4; // none
+        double share = 1, at = 0;
+    };
+    [[nodiscard]] Break first_break(const CrossPlace &from, const CrossPlace &to) const noexcept;
 
 private:
     enum class End { none, closed, border, lost };
@@ -51,6 +55,8 @@ private:
     bool step(const ContactPoint &from, double way, Step &result) const;
     [[nodiscard]] std::optional<ContactPoint> next(const ContactPoint &from, double length) const;
     bool stop_at_break(const ContactPoint &from, double way, Step &result) const;
+    // Of coordinate i; NaN: there is none.
+    [[nodiscard]] double break_between(size_t i, double from, double to) const noexcept;
     [[nodiscard]] bool is_border(size_t i, double at) const noexcept;
     [[nodiscard]] bool are_near(const CrossSegment &segment, double t,
                                 const ContactPoint &place) const noexcept;

@@ -2,6 +2,7 @@
 #include "intersect/surfaces/overlap/overlap_loops.h"
 
 #include "base/numbers.h"
+#include "intersect/surfaces/cubic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +17,6 @@ using Polygon = std::vector<Place2>;
 
 constexpr size_t none = static_cast<size_t>(-1);
 constexpr double least_angle = 1e-6; // between edges at a node in which several loops meet
-
-Place2 point_on(const std::array<Place2, 4> &cubic, double t) noexcept {
-    const double s = 1 - t;
-    Place2 at{};
-    for (size_t k = 0; k < 2; ++k) {
-        at[k] = s * s * s * cubic[0][k] + 3 * s * s * t * cubic[1][k] + 3 * s * t * t * cubic[2][k] +
-                t * t * t * cubic[3][k];
-    }
-    return at;
-}
 
 double area_of(const Polygon &polygon) noexcept {
     double area = 0;
@@ -174,7 +165,9 @@ private:
         constexpr int parts = 8;
         for (const CrossSegment &segment : edge.segments) {
             for (int i = 0; i < parts; ++i) {
-                const Place2 at = point_on(segment.on[0], static_cast<double>(i) / parts);
+                const double t = static_cast<double>(i) / parts;
+                const Cubic cubic(segment.on[0]);
+                const Place2 at{cubic.coordinate(0, t), cubic.coordinate(1, t)};
                 polygon.push_back(polygon.empty() ? at : beside(at, polygon.back()));
             }
         }

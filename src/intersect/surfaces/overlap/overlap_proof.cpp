@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/surfaces/cubic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,12 +58,8 @@ OverlapProof::OverlapProof(const OverlapGround &ground, const OverlapEdges &edge
                     upper = std::max(upper, at[k]);
                 }
                 part.on[k] = {lower, upper};
-                part.at[k] = (segment.on[0][0][k] + 3 * segment.on[0][1][k] + 3 * segment.on[0][2][k] +
-                              segment.on[0][3][k]) /
-                             8;
-                part.beside[k] = (segment.on[1][0][k] + 3 * segment.on[1][1][k] + 3 * segment.on[1][2][k] +
-                                  segment.on[1][3][k]) /
-                                 8;
+                part.at[k] = Cubic(segment.on[0]).coordinate(k, 0.5);
+                part.beside[k] = Cubic(segment.on[1]).coordinate(k, 0.5);
             }
             edge_parts_.push_back(part);
         }

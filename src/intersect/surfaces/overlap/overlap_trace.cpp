@@ -112,17 +112,7 @@ std::optional<CrossPlace> OverlapTracer::step(const OverlapSide &side, const Cro
 
 // At the first break on the way; false: it is not found.
 bool OverlapTracer::stop_at_break(const OverlapSide &side, const CrossPlace &from, CrossPlace &to) const {
-    size_t coordinate = 4;
-    double share = 1, at = 0;
-    for (size_t i = 0; i < 4; ++i) {
-        const double line = tracer_.break_between(i, from[i], to[i]),
-                     own = (line - from[i]) / (to[i] - from[i]);
-        if (own < share) {
-            share = own;
-            coordinate = i;
-            at = line;
-        }
-    }
+    const auto [coordinate, share, at] = tracer_.first_break(from, to);
     if (coordinate == 4) {
         return true;
     }

@@ -162,16 +162,10 @@ private:
                 }
             }
         }
-        CrossCurve curve = cross_curve(frame_, a_, b_, std::move(part.segments), nodes[0] < 0);
-        MeetBranch &branch = meet_.branches.emplace_back();
-        branch.level = level_;
-        branch.space = std::move(curve.space);
-        branch.on = std::move(curve.on[0]);
-        branch.on_second = std::move(curve.on[1]);
-        branch.deviation = curve.deviation;
-        branch.nodes = nodes;
-        branch.loop = loops_;
-        branch.kind = BranchKind::overlap;
+        meet_.branches.push_back(
+            branch_along(cross_curve(frame_, a_, b_, std::move(part.segments), nodes[0] < 0), nodes, loops_,
+                         BranchKind::overlap));
+        meet_.branches.back().level = level_;
     }
     // Along axes that close, and to poles, a region goes farther than its boundary.
     void add_region(const CrossPlace &at) {
