@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -224,11 +225,11 @@ void ModelMesher::mesh_face(size_t face, bool last) {
 
 // Where a face needs it. Returns whether there is something new; other faces there are old then.
 bool ModelMesher::change_edges(const FaceBorder &border, const BorderWish &wish) {
-    std::vector<std::pair<int64_t, double>> places; // on polylines
+    std::map<int64_t, std::vector<double>> places; // on polylines
     const auto add = [&](int32_t segment, double share) {
         const BorderSegment &weak = border.segments[static_cast<size_t>(segment)];
         if (weak.line >= 0) {
-            places.emplace_back(weak.line, weak.params[0] * (1 - share) + weak.params[1] * share);
+            places[weak.line].push_back(weak.params[0] * (1 - share) + weak.params[1] * share);
         }
     };
     for (const auto &[segment, count] : wish.weak) {
@@ -239,11 +240,10 @@ bool ModelMesher::change_edges(const FaceBorder &border, const BorderWish &wish)
     for (const auto &[segment, share] : wish.touched) {
         add(segment, share);
     }
-    std::ranges::sort(places);
-    places.erase(std::unique(places.begin(), places.end()), places.end());
     bool any = false;
-    for (const auto &[line, param] : places) {
-        for (const int64_t user : edges_.add_vertex(line, param)) {
+    for (auto &[line, params] : places) {
+        std::ranges::sort(params);
+        for (const int64_t user : edges_.add_vertices(line, params)) {
             old_[static_cast<size_t>(user)] = any = true;
         }
     }

@@ -66,4 +66,28 @@ TEST(MeshReach, faces_reach_what_their_surface_does) {
     }
 }
 
+// Borders beside the ends of a domain, nearer than the tolerance of the face and farther than the chord: not on the ends.
+TEST(MeshReach, faces_reach_chords_below_their_tolerance) {
+    constexpr double beside = 4e-4, other = 1 - beside;
+    const Handle border =
+        polygon({{beside, beside}, {other, beside}, {0.98, 0.5}, {other, other}, {beside, other}});
+    for (int seed = 1; seed <= scaled(4); ++seed) {
+        Random random(static_cast<uint64_t>(seed));
+        const Handle ground = wild(random, 6, 5);
+        const faces::Face own = faces::face_of(ground.get(), {{border.get()}}, 10 * beside);
+        expect_as_near(ground.get(), own.get(), beside / 2, random);
+    }
+}
+
+// Beyond the ends of a domain there is no surface: how far a border is beyond them counts once.
+TEST(MeshReach, borders_beyond_a_domain_are_as_far_as_they_are) {
+    constexpr double beyond = 4e-4, other = 1 + beyond;
+    const Handle border = polygon({{-beyond, -beyond}, {other, -beyond}, {other, other}, {-beyond, other}});
+    Random random(1);
+    const faces::Ground ground = faces::plane();
+    const faces::Face own = faces::face_of(ground.surface.get(), {{border.get()}}, 10 * beyond);
+    expect_as_near(ground.surface.get(), own.get(), 1.5 * beyond, random);
+    EXPECT_EQ(mesh_of(own.get(), 1.5 * beyond).triangles.size(), 2U);
+}
+
 } // namespace mesh_reach_test

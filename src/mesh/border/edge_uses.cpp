@@ -42,7 +42,9 @@ bool is_alone(const std::vector<FixedUse> &all, size_t i, double room) {
 
 } // namespace
 
-EdgeUses::EdgeUses(const model::Model &model, double near) : model_(model), borders_(model) {
+// Pairs of parameters that are a line may be so near in space.
+EdgeUses::EdgeUses(const model::Model &model, double chord) : model_(model), chord_(chord), borders_(model) {
+    const double near = std::isfinite(chord) ? chord / 32 : 0;
     set_uses();
     set_curves();
     pair_from(0, near);
@@ -156,6 +158,7 @@ bool EdgeUses::is_against(const EdgeUse &use) const noexcept {
 // Where the border passes a seam, or a kink of the surface. What is near such a line is on it.
 void EdgeUses::add_fixed(int64_t number) {
     const face::BorderPieces border(face(number));
+    const SnapLines lines(face(number), chord_);
     const auto &all = face(number).trims().pieces().all();
     for (size_t first = 0, last = 0; first < all.size(); first = last) {
         for (last = first; last < all.size() && all[last].loop == all[first].loop; ++last) {
@@ -164,7 +167,7 @@ void EdgeUses::add_fixed(int64_t number) {
         for (const face::TrimPiece &piece : loop) {
             fix_jump(number, border, piece);
         }
-        for (const LinePassage &passage : passages_of(face(number), loop)) {
+        for (const LinePassage &passage : passages_of(face(number), lines, loop)) {
             if (passage.piece->range.lower == passage.piece->range.upper) {
                 fix_behind(number, border, passage);
             } else {

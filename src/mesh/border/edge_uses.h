@@ -34,8 +34,10 @@ struct EdgeUse {
 // Edges are those of the model, in their order, then those of faces alone.
 class EdgeUses {
 public:
-    // Pairs of parameters that are a line may be `near` in space.
-    EdgeUses(const model::Model &model, double near);
+    // For meshes within a distance.
+    EdgeUses(const model::Model &model, double chord);
+
+    [[nodiscard]] double chord() const noexcept { return chord_; }
 
     [[nodiscard]] const std::vector<EdgeUse> &all() const noexcept { return uses_; }
     [[nodiscard]] const EdgeUse &operator[](size_t use) const noexcept { return uses_[use]; }
@@ -83,6 +85,7 @@ private:
     void fix_behind(int64_t number, const face::BorderPieces &border, const LinePassage &passage);
 
     const model::Model &model_;
+    double chord_;
     model::SharedBorders borders_;
     std::vector<EdgeUse> uses_;              // curves of faces first, in the order of SharedBorders
     std::vector<SplinePtr> curves_;          // of the lines

@@ -89,6 +89,9 @@ public:
     [[nodiscard]] Point2 step_across(double most) const noexcept {
         return {-along_[1] * most / squared_ * period_[0], along_[0] * most / squared_ * period_[1]};
     }
+    // Where a curve leaves the domain on an axis that does not close, there is no surface beyond the end: what is between the segment and
+    // the curve there is no longer than their common box in the domain.
+    void leave_out_beyond(const std::vector<PolygonPart> &hull, BorderSegment &segment) const noexcept;
 
 private:
     // The copy of a place that is in the copy of the domain that the segment is in.
@@ -108,11 +111,36 @@ private:
     double squared_;
 };
 
+void SegmentRoom::leave_out_beyond(const std::vector<PolygonPart> &hull,
+                                   BorderSegment &segment) const noexcept {
+    Point2 inside{std::abs(segment.over[0]), std::abs(segment.over[1])};
+    bool less = false;
+    for (size_t k = 0; k < 2; ++k) {
+        const Interval domain = covering_.domain(static_cast<int>(k));
+        double lower = std::min(a_[k], b_[k]), upper = std::max(a_[k], b_[k]);
+        for (const PolygonPart &part : hull) {
+            for (const Point2 &x : part.points) {
+                const double own = in_copy(x)[k];
+                lower = std::min(lower, std::max(own, domain.lower));
+                upper = std::max(upper, std::min(own, domain.upper));
+            }
+        }
+        if (!covering_.closed(static_cast<int>(k)) && upper - lower < inside[k] / 2) {
+            inside[k] = upper - lower;
+            less = true;
+        }
+    }
+    if (less) {
+        segment.over = inside;
+        segment.across = false;
+    }
+}
+
 class BorderWalk {
 public:
     BorderWalk(const model::Model &model, int64_t number, const ModelEdges &edges)
         : number_(number), face_(*model.faces[static_cast<size_t>(number)].face), edges_(edges),
-          border_(face_), lines_(face_) {}
+          border_(face_), lines_(face_, edges.chord()) {}
 
     FaceBorder walk() {
         const auto &all = face_.trims().pieces().all();
@@ -325,6 +353,7 @@ void BorderWalk::add_segment(int32_t from, int32_t to) {
     if (segment.across) {
         segment.over = room.step_across(most);
     }
+    room.leave_out_beyond(hull_, segment);
     result_.segments.push_back(segment);
     mirror(segment);
 }

@@ -18,6 +18,9 @@ namespace {
 // Rounds of adding vertices for the sake of faces, each between two others.
 constexpr int most_polyline_rounds = 12;
 
+// Which lies on a curve under it.
+constexpr int64_t work_of_a_vertex = 1000;
+
 // Whether a vertex would be where one end of a segment is, but for rounding: two faces ask for one place of their edge.
 bool is_beside(double param, Interval segment) noexcept {
     const double room = 0x1p-20 * (segment.upper - segment.lower);
@@ -27,8 +30,7 @@ bool is_beside(double param, Interval segment) noexcept {
 } // namespace
 
 ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule)
-    : uses_(model, std::isfinite(rule.chord) ? rule.chord / 32 : 0), lines_(uses_.line_count()),
-      vertices_(uses_.all().size()) {
+    : uses_(model, rule.chord), lines_(uses_.line_count()), vertices_(uses_.all().size()) {
     Steps steps(std::ssize(lines_));
     for (size_t line = 0; line < lines_.size(); ++line, steps.next()) {
         lines_[line].edge = line < model.edges.size() ? static_cast<int64_t>(line) : -1;
@@ -149,19 +151,32 @@ std::vector<int64_t> ModelEdges::update_users(size_t line) {
 }
 
 // The bound of the segment that is divided stays that of its parts: a part of a curve within a distance of a convex set.
-std::vector<int64_t> ModelEdges::add_vertex(int64_t number, double param) {
+std::vector<int64_t> ModelEdges::add_vertices(int64_t number, std::span<const double> params) {
     const auto at = static_cast<size_t>(number);
     EdgeLine &line = lines_[at];
-    const auto next = std::ranges::lower_bound(line.params, param);
-    if (next == line.params.begin() || next == line.params.end() || is_beside(param, {*(next - 1), *next})) {
-        return {};
+    const size_t known = line.params.size();
+    std::vector<double> all;
+    std::vector<int32_t> points;
+    auto next = params.begin();
+    for (size_t i = 0; i < known; ++i) {
+        for (; next != params.end() && *next < line.params[i]; ++next) {
+            if (i > 0 && !is_beside(*next, {all.back(), line.params[i]})) {
+                all.push_back(*next);
+                points.push_back(add_point(at, *next));
+            }
+        }
+        all.push_back(line.params[i]);
+        points.push_back(line.points[i]);
     }
-    const std::vector<double> x = eval::curve_point(uses_.curve(at), param, false);
-    const auto index = next - line.params.begin();
-    line.params.insert(next, param);
-    line.points.insert(line.points.begin() + index, static_cast<int32_t>(points_.size()));
-    points_.push_back(vector_of(x.data(), uses_.curve(at).dim()));
-    return update_users(at);
+    line.params = std::move(all);
+    line.points = std::move(points);
+    return line.params.size() > known ? update_users(at) : std::vector<int64_t>{};
+}
+
+int32_t ModelEdges::add_point(size_t line, double param) {
+    const std::vector<double> x = eval::curve_point(uses_.curve(line), param, false);
+    points_.push_back(vector_of(x.data(), uses_.curve(line).dim()));
+    return static_cast<int32_t>(points_.size() - 1);
 }
 
 // What moves by less than that each stays within it of the curve.
@@ -198,25 +213,38 @@ std::vector<int64_t> ModelEdges::unite(const std::vector<std::array<int32_t, 2>>
     return faces;
 }
 
-// Where curve and edge run in the same direction the vertices rise.
+// Where curve and edge run in the same direction the vertices rise. Those that were there before are where they were.
 void ModelEdges::set_vertices(size_t number) {
-    const EdgeUse &use = uses_[number];
-    const EdgeLine &line = lines_[use.line];
-    std::vector<CurveVertex> &vertices = vertices_[number];
+    const EdgeLine &line = lines_[uses_[number].line];
+    std::vector<CurveVertex> before = std::move(vertices_[number]), &vertices = vertices_[number];
+    if (!before.empty() && before.front().edge_param > before.back().edge_param) {
+        std::ranges::reverse(before);
+    }
     vertices.clear();
+    vertices.reserve(line.params.size());
+    auto known = before.cbegin();
     for (size_t i = 0; i < line.params.size(); ++i) {
-        CurveVertex vertex{use.pairing->on_curve(line.params[i]), line.points[i], line.params[i]};
-        for (const FixedPlace &fixed : use.fixed) {
-            if (fixed.edge == line.params[i]) {
-                vertex.param = fixed.curve;
-                vertex.place = fixed.place;
-            }
+        if (known != before.cend() && known->edge_param == line.params[i]) {
+            vertices.push_back(*known++);
+            vertices.back().point = line.points[i];
+        } else {
+            vertices.push_back(vertex_of(number, line.params[i], line.points[i]));
         }
-        vertices.push_back(vertex);
     }
     if (vertices.front().param > vertices.back().param) {
         std::ranges::reverse(vertices);
     }
+}
+
+CurveVertex ModelEdges::vertex_of(size_t number, double param, int32_t point) const {
+    const EdgeUse &use = uses_[number];
+    const auto is_here = [&](const FixedPlace &fixed) { return fixed.edge == param; };
+    const auto fixed = std::find_if(use.fixed.rbegin(), use.fixed.rend(), is_here);
+    if (fixed != use.fixed.rend()) {
+        return {fixed->curve, point, param, fixed->place};
+    }
+    count_work(work_of_a_vertex);
+    return {use.pairing->on_curve(param), point, param};
 }
 
 } // namespace nrb::mesh

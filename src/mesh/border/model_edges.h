@@ -7,6 +7,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace nrb::mesh {
@@ -36,6 +37,7 @@ public:
 
     [[nodiscard]] const std::vector<Vector3> &points() const noexcept { return points_; }
     [[nodiscard]] const std::vector<EdgeLine> &lines() const noexcept { return lines_; }
+    [[nodiscard]] double chord() const noexcept { return uses_.chord(); } // of the rule
     // Of a curve of a face: rising.
     [[nodiscard]] const std::vector<CurveVertex> &vertices(int64_t face, int32_t loop,
                                                            int32_t index) const noexcept {
@@ -50,8 +52,9 @@ public:
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<int64_t>(uses_[uses_.at(face, loop, index)].line);
     }
-    // A further vertex of the polyline of a number, unless it has one there, to rounding; the faces that have it. Points keep their numbers.
-    std::vector<int64_t> add_vertex(int64_t number, double param);
+    // Further vertices of the polyline of a number, at rising parameters, unless it has one there, to rounding; the faces that have
+    // them. Points keep their numbers.
+    std::vector<int64_t> add_vertices(int64_t number, std::span<const double> params);
     // Of each pair the first point in place of the second one, which a face cannot tell from it; the faces that have these.
     std::vector<int64_t> unite(const std::vector<std::array<int32_t, 2>> &pairs);
 
@@ -63,7 +66,9 @@ private:
     int32_t end_of_line(size_t line, bool upper, const Vector3 &x);
     int32_t corner(int64_t number, const Vector3 &x);
     std::vector<int64_t> update_users(size_t line);
+    int32_t add_point(size_t line, double param);
     void set_vertices(size_t number);
+    [[nodiscard]] CurveVertex vertex_of(size_t number, double param, int32_t point) const;
 
     EdgeUses uses_;
     std::vector<EdgeLine> lines_;

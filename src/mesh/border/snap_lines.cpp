@@ -11,8 +11,10 @@ namespace nrb::mesh {
 
 namespace {
 
-// Of the domain, however small the tolerance.
-constexpr double least_near = 1e-9;
+// Of the domain, however small the tolerance, and however large.
+constexpr double least_near = 1e-9, most_near = 1e-3;
+// Of the distance that is asked for.
+constexpr double share_of_chord = 1.0 / 32;
 
 // The places inside the domain where homogeneous coordinates may have a kink along an axis.
 std::vector<double> kinks_of(const KnotVector &axis) {
@@ -29,24 +31,32 @@ std::vector<double> kinks_of(const KnotVector &axis) {
 
 } // namespace
 
-SnapLines::SnapLines(const face::Face &face) {
+SnapLines::SnapLines(const face::Face &face, double chord) {
     const face::Covering &covering = face.covering();
     for (const int k : {0, 1}) {
         const auto at = static_cast<size_t>(k);
         domain_[at] = covering.domain(k);
         closed_[at] = covering.closed(k);
-        const double share = covering.extent() > 0 ? face.tolerance() / covering.extent() : 0;
-        near_[at] = std::clamp(share, least_near, 1e-3) * covering.period(k);
+        const auto near = [&](double distance) {
+            const double share = covering.extent() > 0 ? distance / covering.extent() : 0;
+            return std::clamp(share, least_near, most_near) * covering.period(k);
+        };
+        near_[at] = near(face.tolerance());
+        close_[at] = near(std::min(face.tolerance(), share_of_chord * chord));
         inner_[at] = kinks_of(face.surface()->axis(k));
     }
 }
 
 face::Point2 SnapLines::snapped(face::Point2 x) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
-        const auto snap = [&](double line) { x[k] = std::abs(x[k] - line) <= near_[k] ? line : x[k]; };
-        snap(domain_[k].lower);
-        snap(domain_[k].upper);
-        std::ranges::for_each(inner_[k], snap);
+        const auto snap = [&](double line, double room) {
+            x[k] = std::abs(x[k] - line) <= room ? line : x[k];
+        };
+        const auto [lower, upper] = domain_[k];
+        for (const double end : {lower, upper}) {
+            snap(end, closed_[k] || x[k] < lower || x[k] > upper ? near_[k] : close_[k]);
+        }
+        std::ranges::for_each(inner_[k], [&](double line) { snap(line, close_[k]); });
     }
     return x;
 }
@@ -113,7 +123,7 @@ public:
 
 private:
     [[nodiscard]] int side(const face::Point2 &x, double line) const noexcept {
-        return x[k_] < line - lines_.near(k_) ? -1 : x[k_] > line + lines_.near(k_) ? 1 : 0;
+        return x[k_] < line - lines_.close(k_) ? -1 : x[k_] > line + lines_.close(k_) ? 1 : 0;
     }
     [[nodiscard]] int end_of(const face::Point2 &x) const noexcept {
         return x[k_] <= lines_.domain(k_).lower + lines_.near(k_)   ? -1
@@ -137,8 +147,8 @@ private:
 
 } // namespace
 
-std::vector<LinePassage> passages_of(const face::Face &face, std::span<const face::TrimPiece> loop) {
-    const SnapLines lines(face);
+std::vector<LinePassage> passages_of(const face::Face &face, const SnapLines &lines,
+                                     std::span<const face::TrimPiece> loop) {
     std::vector<LinePassage> result;
     for (size_t k = 0; k < 2; ++k) {
         LoopWatch watch(face, loop, lines, k, result);

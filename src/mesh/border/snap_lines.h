@@ -12,10 +12,13 @@ namespace nrb::mesh {
 
 class SnapLines {
 public:
-    explicit SnapLines(const face::Face &face);
+    // For meshes within a distance.
+    SnapLines(const face::Face &face, double chord);
 
-    // About the tolerance of the face, along an axis.
+    // About the tolerance of the face, along an axis: for seams, and ends beyond which there is no surface.
     [[nodiscard]] double near(size_t k) const noexcept { return near_[k]; }
+    // For other lines: no more than a part of the distance, since what is moved in the domain is off in space.
+    [[nodiscard]] double close(size_t k) const noexcept { return close_[k]; }
     // Inside the domain, rising.
     [[nodiscard]] const std::vector<double> &inner(size_t k) const noexcept { return inner_[k]; }
     [[nodiscard]] bool closed(size_t k) const noexcept { return closed_[k]; }
@@ -29,7 +32,7 @@ public:
 private:
     std::array<Interval, 2> domain_;
     std::array<bool, 2> closed_{};
-    std::array<double, 2> near_{};
+    std::array<double, 2> near_{}, close_{};
     std::array<std::vector<double>, 2> inner_;
 };
 
@@ -41,6 +44,7 @@ struct LinePassage {
 };
 
 // Of the pieces of one loop, in their order. Those that only touch a line, or run along it, do not pass it.
-std::vector<LinePassage> passages_of(const face::Face &face, std::span<const face::TrimPiece> loop);
+std::vector<LinePassage> passages_of(const face::Face &face, const SnapLines &lines,
+                                     std::span<const face::TrimPiece> loop);
 
 } // namespace nrb::mesh
