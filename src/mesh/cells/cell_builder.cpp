@@ -225,6 +225,7 @@ void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side s
     const int32_t number = instead ? item.cell : static_cast<int32_t>(tree_.cells_.size());
     tree_.nodes_.push_back({-1, number, 0});
     keep_box(number, item.part, box);
+    count_work(side == Side::inside ? rule_.work_behind : 0);
     if (instead) {
         tree_.cells_[static_cast<size_t>(item.cell)] = cell;
     } else {

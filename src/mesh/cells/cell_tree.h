@@ -22,6 +22,7 @@ struct CellRule {
     // corners in one point but those at a pole.
     std::array<double, 2> most_sides{infinity, infinity};
     std::function<Side(const Rectangle &)> side{}; // empty: everything is inside
+    int64_t work_behind = 0; // what a cell that stays takes later, beyond what it takes to find it
 
     // Whether it depends on how far the surface moves on steps in cells.
     [[nodiscard]] bool wants_steps() const noexcept { return side || longest > 0 || angle > 0; }

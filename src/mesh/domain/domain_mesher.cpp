@@ -72,6 +72,7 @@ CellRule DomainMesher::cell_rule() const {
     rule.longest = grid_.scaled(longest_);
     rule.angle = angle_;
     rule.least = least_;
+    rule.work_behind = work_of_triangle; // it has two, and one takes as long as the cell
     for (size_t k = 0; k < 2; ++k) {
         const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
         const double parts = domain_.closed[k]                                    ? 3

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/domain/domain_mesher.h"
 
+#include "base/watch.h"
 #include "mesh/cells/cell_shape.h"
 
 #include <algorithm>
@@ -238,8 +239,13 @@ bool DomainMesher::improve() {
     const size_t known = extra_.size();
     extra_.insert(more.begin(), more.end());
     const auto before = static_cast<int32_t>(cells_.tree().cells().size());
+    const bool twice = round_ >= 4; // few are left, and every round takes its time: across both axes
+    count_work((twice ? 8 : 4) * work_of_triangle * std::ssize(over)); // of the parts, which may be too many
+    if (work_ended()) {
+        over.clear();
+    }
     cut(over);
-    if (round_ >= 4 && !over.empty()) { // few are left, and every round takes its time: across both axes
+    if (twice && !over.empty()) {
         for (auto cell = before; cell < static_cast<int32_t>(cells_.tree().cells().size()); ++cell) {
             over.push_back(cell);
         }

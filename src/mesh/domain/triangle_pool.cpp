@@ -11,8 +11,6 @@ namespace nrb::mesh {
 
 namespace {
 
-// Multiply-adds of a triangle, estimated.
-constexpr int64_t work_of_triangle = 1000;
 // Triangles whose bounds are in memory at once.
 constexpr size_t triangles_of_a_part = 4096;
 // Of fewer, distances are told as small as they can be: that takes next to no time.

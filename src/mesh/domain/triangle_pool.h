@@ -12,6 +12,9 @@ namespace nrb::mesh {
 
 // Those that stay keep their places, and their distances where none around them changed. Bounds of single triangles take much more room
 // than these: they are made part by part, for some thousand triangles at once, and again for those beside a part.
+// Multiply-adds of a triangle, estimated.
+constexpr int64_t work_of_triangle = 1400;
+
 class TrianglePool {
 public:
     struct Range {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/domain/triangle_proof.h"
 
+#include "base/watch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +12,8 @@ namespace {
 
 // Triangles of the strip over more pieces are bounded by the cells that they meet.
 constexpr int64_t most_pieces = 64;
+// Multiply-adds of the box of such a triangle, and of finding one that is known, estimated.
+constexpr int64_t work_of_a_box = 3000, work_of_a_known_one = 300;
 
 // How far places between a segment of the border and its curve are from it, in space.
 double move_over(const BorderSegment &segment, const HessianBox &box, const Rectangle &cell,
@@ -88,6 +92,7 @@ ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
     }
     const auto &s = triangle.sites, &b = triangle.border;
     const auto [known, fresh] = known_.try_emplace({s[0], s[1], s[2], b[0], b[1], b[2]});
+    count_work(fresh ? work_of_a_box : work_of_a_known_one);
     if (fresh) {
         known->second = in_strip(triangle);
     }
