@@ -142,7 +142,7 @@ bool DomainMesher::change_border() {
 
 bool DomainMesher::take_border() {
     index_.emplace(domain_.border);
-    proof_.forget_border();
+    proof_.take_border();
     leave_border();
     known_points_ = static_cast<int32_t>(domain_.points->size());
     round_ = 0;

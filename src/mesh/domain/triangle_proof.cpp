@@ -75,7 +75,9 @@ void take_better(const TriangleBound &other, TriangleBound &bound) noexcept {
 TriangleProof::TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites,
                              double chord)
     : domain_(domain), cells_(cells), sites_(sites), grid_(pieces::piece_grid_of(*domain.surface)),
-      chord_(chord), nets_(grid_), by_pieces_(*domain.surface, nets_) {}
+      chord_(chord), nets_(grid_), by_pieces_(*domain.surface, nets_) {
+    take_border();
+}
 
 size_t TriangleProof::Hash::operator()(const Key &key) const noexcept {
     uint64_t hash = 0x9e3779b97f4a7c15U;
@@ -90,8 +92,13 @@ ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
     if (triangle.cell >= 0) {
         return in_cell(triangle);
     }
-    const auto &s = triangle.sites, &b = triangle.border;
-    const auto [known, fresh] = known_.try_emplace({s[0], s[1], s[2], b[0], b[1], b[2]});
+    const auto &s = triangle.sites;
+    Key key{s[0], s[1], s[2]};
+    for (size_t k = 0; k < 3; ++k) {
+        const int32_t border = triangle.border[k];
+        key[3 + k] = border < 0 ? -1 : own_numbers_[static_cast<size_t>(border)];
+    }
+    const auto [known, fresh] = known_.try_emplace(key);
     count_work(fresh ? work_of_a_box : work_of_a_known_one);
     if (fresh) {
         known->second = in_strip(triangle);
@@ -99,11 +106,17 @@ ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
     return known->second;
 }
 
-void TriangleProof::forget_border() {
-    std::erase_if(known_, [](const auto &known) {
-        const Key &key = known.first;
-        return key[3] >= 0 || key[4] >= 0 || key[5] >= 0;
-    });
+void TriangleProof::take_border() {
+    const FaceBorder &border = domain_.border;
+    own_numbers_.clear();
+    for (const BorderSegment &segment : border.segments) {
+        const face::Point2 &a = border.points[static_cast<size_t>(segment.from)].param,
+                           &b = border.points[static_cast<size_t>(segment.to)].param;
+        const SegmentKey key{
+            a[0], a[1], b[0], b[1], segment.over[0], segment.over[1], segment.across ? 1.0 : 0.0};
+        own_numbers_.push_back(
+            numbers_.try_emplace(key, static_cast<int32_t>(numbers_.size())).first->second);
+    }
 }
 
 TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const {
@@ -211,7 +224,8 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     result.over += inside ? moves_over(triangle, box, place.part) : 0;
     const CellPart here{&box, place.part};
     result.bound = triangle_bound(corners, {&here, 1});
-    if (pieces.count() > 1) {
+    if (pieces.count() > 1 &&
+        !(std::max(result.bound.from_shape(), result.bound.from_mesh()) + result.over <= chord_)) {
         take_better(by_pieces_.bound(corners, pieces, block), result.bound);
     }
     return result;

@@ -5,6 +5,7 @@
 #include "mesh/cells/piece_bound.h"
 #include "mesh/domain/border_strip.h"
 
+#include <map>
 #include <unordered_map>
 
 namespace nrb::mesh {
@@ -30,11 +31,12 @@ public:
 
     // Bounds of the strip are kept: most triangles stay from one round to the next. In units of the grid.
     [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle);
-    // Where segments of the border have new numbers.
-    void forget_border();
+    // Where segments of the border have new numbers: what is known of those that stayed stays known.
+    void take_border();
 
 private:
     using Key = std::array<int32_t, 6>;
+    using SegmentKey = std::array<double, 7>; // its ends, and what is between it and its curve
     struct Hash {
         size_t operator()(const Key &key) const noexcept;
     };
@@ -64,6 +66,8 @@ private:
     CellNets nets_;
     PieceBound by_pieces_;
     std::unordered_map<Key, ProvenTriangle, Hash> known_;
+    std::map<SegmentKey, int32_t> numbers_; // of all segments that there were
+    std::vector<int32_t> own_numbers_;      // of those of the border
 };
 
 } // namespace nrb::mesh
