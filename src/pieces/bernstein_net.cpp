@@ -113,7 +113,7 @@ int weight_exponent(const Spline &given) {
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         largest = std::max(largest, std::abs(spline.weight(i)));
     }
-    return std::ilogb(largest);
+    return std::ilogb(largest) + 1;
 }
 
 CentredRecords centred_records(const Spline &given, const std::vector<double> &centre, bool weighted,

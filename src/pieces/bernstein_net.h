@@ -23,7 +23,7 @@ struct CentredRecords {
 // All of what follows is of control points that have influence.
 // The middle of their box; the origin for points that have no Cartesian place.
 std::vector<double> centre_of(const Spline &given);
-// The power of two of their largest weight.
+// The power of two above their largest weight: divided by it, none is more than 1, and no product with a point overflows.
 int weight_exponent(const Spline &given);
 
 // (w (x - c), w) with the weights divided by 2^exponent.
