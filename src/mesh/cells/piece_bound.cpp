@@ -9,9 +9,9 @@
 namespace nrb::mesh {
 
 TriangleBound PieceBound::bound(const std::array<TriangleCorner, 3> &corners, const PieceRange &pieces,
-                                const Rectangle &block) {
-    whole_ = corners;
+                                const Rectangle &block, double enough) {
     block_ = block;
+    enough_ = enough;
     const pieces::PieceGrid &grid = nets_.grid();
     std::array<std::array<double, 2>, 3> params;
     double longest = 0;
@@ -33,7 +33,7 @@ TriangleBound PieceBound::bound(const std::array<TriangleCorner, 3> &corners, co
             const Rectangle part{{grid.break_at(0, u), grid.break_at(1, v)},
                                  {grid.break_at(0, u + 1), grid.break_at(1, v + 1)}};
             const CutPolygon polygon = cut_triangle(params, part);
-            if (polygon.places.size() >= 3) {
+            if (polygon.places().size() >= 3) {
                 add(polygon, {u, v}, result);
             }
         }
@@ -44,27 +44,28 @@ TriangleBound PieceBound::bound(const std::array<TriangleCorner, 3> &corners, co
 }
 
 void PieceBound::place_corners(const CutPolygon &polygon) {
-    const auto n = static_cast<int64_t>(polygon.places.size());
+    const std::span<const CutPlace> places = polygon.places();
+    const auto n = std::ssize(places);
     params_.clear();
-    for (const auto &place : polygon.places) {
+    for (const CutPlace &place : places) {
         for (size_t k = 0; k < 2; ++k) {
-            params_.push_back(std::clamp(place[k], block_.lower[k], block_.upper[k]));
+            params_.push_back(std::clamp(place.at[k], block_.lower[k], block_.upper[k]));
         }
     }
     // Blocks are continuous, so that one side of lines inside is as good as the other.
     eval::AxisRules rules{};
     for (size_t k = 0; k < 2; ++k) {
         rules[k].left =
-            std::ranges::any_of(polygon.places, [&](const auto &x) { return x[k] >= block_.upper[k]; });
+            std::ranges::any_of(places, [&](const CutPlace &x) { return x.at[k] >= block_.upper[k]; });
     }
     const int dim = surface_.dim();
     values_.assign(static_cast<size_t>(n * 3), 0);
     eval::evaluate_points(surface_, rules, 0, {params_.data(), n, 2, 2, 1}, {values_.data(), n, dim, 3, 1});
     corners_.clear();
-    for (size_t i = 0; i < polygon.places.size(); ++i) {
+    for (size_t i = 0; i < places.size(); ++i) {
         std::array<double, 8> placed{};
         nets_.grid().place(values_.data() + 3 * i, placed.data());
-        corners_.push_back({polygon.places[i], {placed[0], placed[1], dim == 3 ? placed[2] : 0}});
+        corners_.push_back({places[i].at, {placed[0], placed[1], dim == 3 ? placed[2] : 0}});
     }
 }
 
@@ -86,20 +87,46 @@ Rectangle PieceBound::around(const std::array<int64_t, 2> &piece) const noexcept
 
 void PieceBound::add(const CutPolygon &polygon, const std::array<int64_t, 2> &piece, TriangleBound &result) {
     place_corners(polygon);
-    const Rectangle part = around(piece);
-    const HessianBox box = nets_.box(part, {piece, {piece[0] + 1, piece[1] + 1}});
-    const CellPart here{&box, part};
     double off = 0;
     for (const TriangleCorner &corner : corners_) {
         off = std::max(off, distance_from_triangle(corner.point, points_));
     }
-    const size_t n = corners_.size();
+    if (!is_enough(whole_piece(piece), enough_ - off - noise_)) {
+        const Rectangle part = around(piece);
+        const HessianBox box = nets_.box(part, {piece, {piece[0] + 1, piece[1] + 1}});
+        bound_parts({&box, part});
+    }
+    add_parts(polygon, off, result);
+}
+
+// Whether no triangle of a polygon is farther from the surface at equal parameters than allowed: that bounds all the rest.
+bool PieceBound::is_enough(const CellPart &cell, double allowed) {
+    double most = 0;
+    for (size_t i = 1; i + 1 < corners_.size() && most <= allowed; ++i) {
+        most = std::max(most, equal_parameter_bound(part(i), {&cell, 1}));
+    }
+    TriangleBound bound;
+    bound.height = bound.beside = bound.whole = most;
+    bound.sides.fill(most);
+    bounds_.assign(corners_.size() - 2, bound);
+    return most <= allowed;
+}
+
+void PieceBound::bound_parts(const CellPart &cell) {
+    for (size_t i = 1; i + 1 < corners_.size(); ++i) {
+        bounds_[i - 1] = triangle_bound(part(i), {&cell, 1});
+    }
+}
+
+void PieceBound::add_parts(const CutPolygon &polygon, double off, TriangleBound &result) const {
+    const std::span<const CutPlace> places = polygon.places();
+    const size_t n = places.size();
     for (size_t i = 1; i + 1 < n; ++i) {
-        const std::array<TriangleCorner, 3> own{corners_[0], corners_[i], corners_[i + 1]};
-        const TriangleBound bound = triangle_bound(own, {&here, 1});
+        const std::array<TriangleCorner, 3> own = part(i);
+        const TriangleBound &bound = bounds_[i - 1];
         result.height = std::max(result.height, off + bound.from_shape() + noise_);
-        const std::array<int, 3> sides{polygon.sides[i], i + 2 == n ? polygon.sides[n - 1] : -1,
-                                       i == 1 ? polygon.sides[0] : -1};
+        const std::array<int, 3> sides{places[i].side, i + 2 == n ? places[n - 1].side : -1,
+                                       i == 1 ? places[0].side : -1};
         for (size_t k = 0; k < 3; ++k) {
             if (sides[k] >= 0) {
                 add_side(static_cast<size_t>(sides[k]), own[(k + 1) % 3].point, own[(k + 2) % 3].point,
@@ -107,6 +134,22 @@ void PieceBound::add(const CutPolygon &polygon, const std::array<int64_t, 2> &pi
             }
         }
     }
+}
+
+// Pieces are small where there are several: what they are all over is mostly enough, and many triangles ask for it.
+CellPart PieceBound::whole_piece(const std::array<int64_t, 2> &piece) {
+    constexpr size_t most_kept = 4096;
+    if (boxes_.size() >= most_kept) {
+        boxes_.clear();
+    }
+    const pieces::PieceGrid &grid = nets_.grid();
+    const Rectangle part{{grid.break_at(0, piece[0]), grid.break_at(1, piece[1])},
+                         {grid.break_at(0, piece[0] + 1), grid.break_at(1, piece[1] + 1)}};
+    const auto [known, fresh] = boxes_.try_emplace(grid.piece({piece[0], piece[1], 0}));
+    if (fresh) {
+        known->second = nets_.box(part, {piece, {piece[0] + 1, piece[1] + 1}});
+    }
+    return {&known->second, part};
 }
 
 void PieceBound::add_side(size_t side, const Vector3 &from, const Vector3 &to, double beside,

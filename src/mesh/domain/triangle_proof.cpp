@@ -149,7 +149,8 @@ ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
     if (!(std::max(bound.from_shape(), bound.from_mesh()) <= chord_)) {
         const PieceRange pieces = nets_.pieces_in(place.part);
         if (pieces.count() > 1 && pieces.count() <= most_pieces) {
-            take_better(by_pieces_.bound(place.corners, pieces, cells_.tree().block(cell.block)), bound);
+            take_better(by_pieces_.bound(place.corners, pieces, cells_.tree().block(cell.block), chord_),
+                        bound);
         }
     }
     return {bound, place.moved};
@@ -226,7 +227,7 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     result.bound = triangle_bound(corners, {&here, 1});
     if (pieces.count() > 1 &&
         !(std::max(result.bound.from_shape(), result.bound.from_mesh()) + result.over <= chord_)) {
-        take_better(by_pieces_.bound(corners, pieces, block), result.bound);
+        take_better(by_pieces_.bound(corners, pieces, block, chord_ - result.over), result.bound);
     }
     return result;
 }

@@ -4,18 +4,27 @@
 
 #include "mesh/proof/triangle_bound.h"
 
-#include <vector>
+#include <span>
 
 namespace nrb::mesh {
 
-// Part of a triangle: a convex polygon.
-struct CutPolygon {
-    std::vector<std::array<double, 2>> places;
-    std::vector<int>
-        sides; // of the triangle: that on which the side from place i to the next one lies, -1: none
+struct CutPlace {
+    std::array<double, 2> at;
+    int side; // of the triangle: that on which the side from here to the next place lies, -1: none
+};
+
+// Part of a triangle: a convex polygon. Each of four lines adds a place at most.
+class CutPolygon {
+public:
+    [[nodiscard]] std::span<const CutPlace> places() const noexcept { return {all_.data(), count_}; }
+    void add(const CutPlace &place) noexcept { all_[count_++] = place; }
+
+private:
+    std::array<CutPlace, 8> all_{};
+    size_t count_ = 0;
 };
 
 // What a triangle has of a rectangle; fewer than three places: nothing.
-CutPolygon cut_triangle(const std::array<std::array<double, 2>, 3> &triangle, const Rectangle &part);
+CutPolygon cut_triangle(const std::array<std::array<double, 2>, 3> &triangle, const Rectangle &part) noexcept;
 
 } // namespace nrb::mesh

@@ -49,6 +49,7 @@ public:
 
     [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
     [[nodiscard]] TriangleBound bound() const noexcept;
+    [[nodiscard]] double equal_parameters() const noexcept;
 
 private:
     [[nodiscard]] const TriangleCorner &corner(size_t k) const noexcept { return corners_[k % 3]; }
@@ -59,7 +60,6 @@ private:
         return (uu_ * h.uu.radius + abs(uv_) * h.uv.radius + vv_ * h.vv.radius) * rounding;
     }
     [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
-    [[nodiscard]] double equal_parameters() const noexcept;
     [[nodiscard]] double beside_segment() const noexcept;
     [[nodiscard]] double from_a_side(const TriangleBound &bound) const noexcept;
     [[nodiscard]] bool runs_along(size_t k) const noexcept;
@@ -315,6 +315,12 @@ TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
     result.height = result.beside = infinity;
     result.sides.fill(infinity);
     return result;
+}
+
+double equal_parameter_bound(const std::array<TriangleCorner, 3> &corners,
+                             std::span<const CellPart> cells) noexcept {
+    const Triangle triangle(corners, cells);
+    return triangle.certain() ? triangle.equal_parameters() : infinity;
 }
 
 } // namespace nrb::mesh

@@ -70,5 +70,9 @@ struct TriangleBound {
 // be positive.
 TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
                              std::span<const CellPart> cells) noexcept;
+// How far points of the surface over the triangle are from those with the same parameters on it: in less time, and no less than both
+// distances.
+double equal_parameter_bound(const std::array<TriangleCorner, 3> &corners,
+                             std::span<const CellPart> cells) noexcept;
 
 } // namespace nrb::mesh
