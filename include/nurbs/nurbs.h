@@ -8811,7 +8811,8 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * the circle through its corners, in the middle of which its new vertex would be; nor do triangles between two sides of the
  * border that meet at a smaller angle. All others have no smaller angle where the mesh is `reached`, and those that do not
  * count are made better where they can be. Seams and lines at which there may be a crease are divided, but not crossed.
- * Distances are proven of the triangles that there are in the end. There are as many as squares would be in place of
+ * Distances are proven of the triangles that there are in the end, and come first: where the work is not enough for angles,
+ * they are what they are without. There are as many as squares would be in place of
  * long and thin triangles, and few more; it ends at a multiple of that number, which is not enough where lengths of the
  * surface change a lot within a triangle, as where it is crumpled: a smaller `chord` helps. Quads are what is left of cells.
  *

@@ -35,6 +35,17 @@ Mesh refined(const nurbs_face *face, double chord, double least) {
     return refined(face, chord, least, nurbs_mesh_face);
 }
 
+// Points of a net of 5 x 5 over a rectangle of such a width, with heights that alternate.
+Vec waves(double width, double height) {
+    Vec points;
+    for (int i = 0; i < 5; ++i) {
+        for (int j = 0; j < 5; ++j) {
+            points.insert(points.end(), {width * i / 4, j / 4.0, (i + j) % 2 == 0 ? height : -height});
+        }
+    }
+    return points;
+}
+
 double least_angle(const Triangle &t) {
     const Point corners[] = {t.a, t.b, t.c};
     double least = pi;
@@ -247,6 +258,26 @@ TEST(MeshAngles, a_limit_of_work_ends_it) {
     EXPECT_EQ(mesh.reached, 0);
     EXPECT_LE(mesh.from_shape, 1e-3);
     EXPECT_EQ(euler(mesh, sides_of(mesh)), 0);
+}
+
+// A strip fifty times as long as it is wide with waves of its width: with whatever work, distances are what they are without angles.
+TEST(MeshAngles, distances_come_first) {
+    const Handle ground = create(
+        {{2, 2}, {5, 5}, {{0, 0, 0, 1, 2, 3, 3, 3}, {0, 0, 0, 1, 2, 3, 3, 3}}, 3, waves(0.02, 0.02), {}, 0});
+    const Handle border = faces::polygon({{0.5, 0.3}, {2.4, 0.7}, {2.8, 1.9}, {1.6, 2.7}, {0.3, 2.1}});
+    const faces::Face face = faces::face_of(ground.get(), {{border.get()}});
+    for (const int64_t work : {100000000, 300000000}) {
+        const Mesh mesh =
+            refined(face.get(), 1e-4, 0.31,
+                    [&](const nurbs_face *own, const nurbs_mesh_options *options, nurbs_mesh **out) {
+                        nurbs_call_options call;
+                        require_ok(nurbs_call_options_init(&call, sizeof call));
+                        call.work = work;
+                        return nurbs_mesh_face_with(own, options, &call, out);
+                    });
+        EXPECT_EQ(mesh.reached, 0);
+        EXPECT_LE(mesh.from_shape, 1e-4) << work;
+    }
 }
 
 } // namespace mesh_angles_test

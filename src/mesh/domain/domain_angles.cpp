@@ -88,11 +88,29 @@ bool DomainMesher::divide_far(AngleRefinement &refinement) {
     return any;
 }
 
-// The proof is that of all other triangles: wherever new vertices made it worse, there are more of them, and angles are looked at again.
-void DomainMesher::keep_least_angle() {
+// Distances come first: if it ends with larger ones than allowed, the mesh is the one before. Half of the work is left for another border.
+// Returns whether it came to an end.
+bool DomainMesher::keep_least_angle() {
     if (!(rule_.least_angle > 0)) {
-        return;
+        return true;
     }
+    std::optional<HalfOfWork> half;
+    if (domain_.change_border) {
+        half.emplace();
+    }
+    DomainMesh before, now;
+    finish(judge(before), before);
+    refine_angles();
+    const double allowed = std::max({chord_, before.from_shape, before.from_mesh});
+    if (!judge(now) && std::max(now.from_shape, now.from_mesh) > allowed) {
+        before_angles_ = std::move(before);
+        before_angles_->reached = false;
+    }
+    return !work_ended();
+}
+
+// The proof is that of all other triangles: wherever new vertices made it worse, there are more of them, and angles are looked at again.
+void DomainMesher::refine_angles() {
     AngleRefinement refinement = this->refinement();
     const int rounds = most_proofs + (rule_.least_angle <= most_kept_near ? near_proofs : 0);
     for (int round = 0;; ++round) {

@@ -62,8 +62,7 @@ bool DomainMesher::run() {
         }
     }
     weak_.clear();
-    keep_least_angle();
-    return !change_border();
+    return !keep_least_angle() || !change_border();
 }
 
 CellRule DomainMesher::cell_rule() const {

@@ -96,7 +96,8 @@ private:
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
     [[nodiscard]] bool improve();
-    void keep_least_angle();
+    [[nodiscard]] bool keep_least_angle();
+    void refine_angles();
     [[nodiscard]] AngleRefinement refinement();
     void take(AngleRefinement &refinement);
     bool divide_far(AngleRefinement &refinement);
@@ -104,6 +105,7 @@ private:
     [[nodiscard]] std::vector<std::array<int32_t, 3>> all_points() const;
     [[nodiscard]] bool judge(DomainMesh &result) const;
     bool add_triangles(DomainMesh &result) const;
+    void finish(bool good, DomainMesh &result) const;
 
     const MeshDomain &domain_;
     const MeshRule &rule_;
@@ -129,6 +131,7 @@ private:
     std::vector<std::pair<int32_t, double>> touched_; // segments
     std::map<int32_t, int> weak_;                     // these, and into how many parts they are to be divided
     bool has_small_angles_ = false;                   // that count
+    std::optional<DomainMesh> before_angles_;         // what there was before them, if that is better
 };
 
 } // namespace nrb::mesh

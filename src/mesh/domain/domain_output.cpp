@@ -115,19 +115,27 @@ bool DomainMesher::add_triangles(DomainMesh &result) const {
     return drops;
 }
 
+// Distances are infinite where parts of the face may be missing.
+void DomainMesher::finish(bool good, DomainMesh &result) const {
+    const bool drops = add_triangles(result);
+    const bool whole = crossed_.empty() && !result.triangles.empty() &&
+                       (!drops || have_all_dropped(all_points())) && is_whole();
+    const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
+    result.reached = whole && good && as_asked && !has_small_angles_;
+    result.from_shape = whole ? result.from_shape : infinity;
+}
+
 DomainMesh DomainMesher::output(bool last) {
+    if (before_angles_) {
+        return std::move(*before_angles_);
+    }
     DomainMesh result;
     const bool good = judge(result);
     if (last) { // what follows takes as much memory
         states_ = {};
         cells_.clear();
     }
-    const bool drops = add_triangles(result);
-    const bool whole = crossed_.empty() && !result.triangles.empty() &&
-                       (!drops || have_all_dropped(all_points())) && is_whole();
-    const bool as_asked = chord_ <= rule_.chord && longest_ <= rule_.longest && angle_ <= rule_.angle;
-    result.reached = whole && good && as_asked && !has_small_angles_;
-    result.from_shape = whole ? result.from_shape : infinity; // parts of the face may be missing
+    finish(good, result);
     return result;
 }
 
