@@ -229,6 +229,20 @@ TEST(ClosedRegions, SectorsOfASphere) {
     });
 }
 
+// Both curves come to a pole at one parameter, so that between them there is nothing of it, or all.
+TEST(ClosedRegions, WedgesWithAnApexOnAPole) {
+    for_each_case(9010, 20, [](Random &random, uint64_t seed) {
+        const Ground ground(sphere());
+        const Face face = ground.face();
+        const double apex = seed % 4 == 0 ? 0 : random.unit(), foot = random.unit(),
+                     pole = static_cast<double>(seed % 2);
+        Curves curves;
+        curves.push_back(ground.segment(apex, 0, apex, 1));
+        curves.push_back(ground.segment(apex, pole, foot, 1 - pole));
+        expect_parts(ground, face.get(), curves, 2, random);
+    });
+}
+
 // Circles in general position divide a sphere into crossings + connected sets of circles + 1 parts.
 TEST(ClosedRegions, PlanesDivideASphere) {
     for_each_case(8990, 40, [](Random &random, uint64_t) {

@@ -13,6 +13,7 @@ void Column::set(Interval column, const std::vector<const TrimPiece *> &pieces) 
         add_parts(*piece, column);
     }
     set_places(column);
+    pass_the_top();
 }
 
 void Column::add_parts(const TrimPiece &piece, Interval column) {
@@ -71,6 +72,19 @@ void Column::set_places(Interval column) {
     for (size_t i = 0; i + 1 < places_.size(); ++i) {
         values_.push_back(trims_.value_at_top(places_[i] / 2 + places_[i + 1] / 2));
     }
+}
+
+// Of what lies on the upper end, as what leads around a pole does, nothing is above.
+void Column::pass_the_top() {
+    const auto is_on_top = [&](const ColumnPart &part) { return part.piece->lower[1] >= v_breaks_.back(); };
+    for (const ColumnPart &part : parts_) {
+        const auto first = std::lower_bound(places_.begin(), places_.end(), part.u.lower) - places_.begin();
+        for (auto i = static_cast<size_t>(first);
+             is_on_top(part) && i < values_.size() && places_[i] < part.u.upper; ++i) {
+            values_[i] += part.passed;
+        }
+    }
+    std::erase_if(parts_, is_on_top);
 }
 
 void Column::check_value(int value, double width) const {

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const std::vector<double> &v_breaks() const noexcept { return v_breaks_; }
     [[nodiscard]] const std::vector<ColumnPart> &parts() const noexcept { return parts_; }
     [[nodiscard]] const std::vector<double> &places() const noexcept { return places_; }
-    // How many loops go around places at the top, between each place and the next one.
+    // How many loops go around places below the top, between each place and the next one.
     [[nodiscard]] const std::vector<int> &values_at_top() const noexcept { return values_; }
     // Throws Status::orientation unless a value > 0 is 1. Slivers between loops that run along each other are left as they are.
     void check_value(int value, double width) const;
@@ -39,6 +39,7 @@ private:
     void add_parts(const TrimPiece &piece, Interval column);
     [[nodiscard]] size_t row_of(double v) const;
     void set_places(Interval column);
+    void pass_the_top();
 
     const TrimMap &trims_;
     const std::vector<double> &v_breaks_;
