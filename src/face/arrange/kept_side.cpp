@@ -190,7 +190,7 @@ int side_of(const Face &part, const Sides &sides) {
     }
     fail(Status::incompatible,
          "the surface does not tell on which side of it a part of the face lies that it does not "
-         "meet: it ends before");
+         "cross: it ends before, or is as near to it as the tolerance");
 }
 
 } // namespace
