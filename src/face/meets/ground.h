@@ -3,6 +3,7 @@
 #pragma once
 
 #include "face/face.h"
+#include "numeric/vector3.h"
 
 namespace nrb::face {
 
@@ -13,5 +14,8 @@ SplinePtr ground_of(const Face &face, bool beyond);
 // How much faster a point of the surface moves than its parameters, on each axis: bounds over the domain, infinite where there is
 // none.
 std::array<double, 2> fastest(const Spline &surface);
+
+// S_u x S_v over powers of two; 0 where it is not defined. Precondition: a place of the domain.
+Vector3 surface_normal(const Spline &surface, const Point2 &at);
 
 } // namespace nrb::face
