@@ -8393,7 +8393,7 @@ NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64
  *
  * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a little more than
  * the face.
- * \param[in] a,b models; both may be the same, which mostly is undecided.
+ * \param[in] a,b models; both may be the same.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points, in the whole.
  * \param[out] out the new meet, all of it but overlaps of level 0; nurbs_meet_faces() and nurbs_meet_joints() tell the faces of a,
  *   nurbs_meet_faces_second() and nurbs_meet_joints_second() those of b.

@@ -325,6 +325,20 @@ TEST(FaceRegions, OnACylinder) {
                   window(lower, {0.25, 0.5}, {0.25, 0.75}), 1, pi / 2});
 }
 
+namespace {
+
+// Of a globe, what is above a share of the second axis, or below.
+Face cap(const Handle &ball, double share, bool above) {
+    double u[2], v[2];
+    require_ok(nurbs_domain(ball.get(), 0, u));
+    require_ok(nurbs_domain(ball.get(), 1, v));
+    const double at = v[0] + share * (v[1] - v[0]);
+    const Handle parallel = above ? segment({u[0], at}, {u[1], at}) : segment({u[1], at}, {u[0], at});
+    return Face(faces::face_of(ball.get(), {{parallel.get()}}, 1e-9, NURBS_AS_ORIENTED).release());
+}
+
+} // namespace
+
 TEST(FaceRegions, OnASphere) {
     const Handle ball = std::move(faces::sphere(1).surface), other = turned(ball.get(), 0.7, 0);
     // From the pole on heights are -1 to 1; the second axis has two quarters.
@@ -332,6 +346,18 @@ TEST(FaceRegions, OnASphere) {
         {"a window", window(ball, {0.25, 0.5}, {0.25, 0.5}), all_of(other), 1, std::sqrt(0.5) * pi / 2});
     expect_round({"one window", window(ball, {0.25, 0.5}, {0.25, 0.5}),
                   window(ball, {0.25, 0.5}, {0.25, 0.5}), 1, std::sqrt(0.5) * pi / 2});
+    const double of_cap = 2 * pi * (1 - std::sqrt(0.5));
+    expect_round({"a cap", cap(ball, 0.75, true), cap(other, 0.5, true), 1, of_cap});
+    expect_round({"one cap", cap(ball, 0.75, true), cap(other, 0.75, true), 1, of_cap});
+    expect_round({"caps apart", cap(ball, 0.75, true), cap(other, 0.25, false), 0, 0});
+    expect_round({"a zone", cap(ball, 0.25, true), cap(other, 0.75, false), 1, 4 * pi - 2 * of_cap});
+}
+
+TEST(FaceRegions, OnATorus) {
+    const Handle ring = std::move(faces::torus(3, 1).surface), other = turned(ring.get(), 0.4, 0);
+    expect_round({"all of both", all_of(ring), all_of(other), 1, 12 * pi * pi});
+    expect_round(
+        {"a window", window(ring, {0.25, 0.5}, {-0.25, 0.25}), all_of(other), 1, (6 * pi + 4) * pi / 4});
 }
 
 namespace {

@@ -1,8 +1,12 @@
 // Models that stand on each other: the region that two of their faces have in common is told, and around it nothing else.
 #include "blocks.h"
 #include "face_regions.h"
-#include "model_sections.h"
+#include "faces.h"
+#include "polygons.h"
+#include "solids.h"
 #include "support/cases.h"
+
+#include <numbers>
 
 namespace model_regions_test {
 
@@ -13,9 +17,9 @@ using blocks::Block;
 
 namespace {
 
-constexpr double tolerance = 1e-8;
+constexpr double tolerance = 1e-7;
 
-using Corner = std::array<double, 2>;
+using polygons::Corner;
 
 // A parallelogram in the plane z = 0, and a direction up or down.
 struct Column {
@@ -47,35 +51,6 @@ Model model_of(const Column &column) {
         faces.push_back(side.get());
     }
     return models::model_of(faces);
-}
-
-// The part of a convex polygon in another one, both anticlockwise (Sutherland & Hodgman 1974).
-double common_area(std::vector<Corner> part, const std::vector<Corner> &of) {
-    for (size_t i = 0; i < of.size(); ++i) {
-        const Corner &p = of[i], &q = of[(i + 1) % of.size()];
-        const auto side = [&](const Corner &x) {
-            return (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]);
-        };
-        std::vector<Corner> left;
-        for (size_t k = 0; k < part.size(); ++k) {
-            const Corner &x = part[k], &y = part[(k + 1) % part.size()];
-            const double at_x = side(x), at_y = side(y);
-            if (at_x >= 0) {
-                left.push_back(x);
-            }
-            if ((at_x > 0 && at_y < 0) || (at_x < 0 && at_y > 0)) {
-                const double t = at_x / (at_x - at_y);
-                left.push_back({x[0] + t * (y[0] - x[0]), x[1] + t * (y[1] - x[1])});
-            }
-        }
-        part = left;
-    }
-    double area = 0;
-    for (size_t i = 0; i < part.size(); ++i) {
-        const Corner &p = part[i], &q = part[(i + 1) % part.size()];
-        area += (p[0] * q[1] - q[0] * p[1]) / 2;
-    }
-    return area;
 }
 
 struct Touch {
@@ -152,7 +127,7 @@ TEST(ModelRegions, ColumnsOnEachOther) {
     for_each_case(7730000, 12, [&](Random &random, uint64_t seed) {
         SCOPED_TRACE(seed);
         const Column lower = random_column(random, -1), upper = random_column(random, 1.2);
-        const double area = common_area(lower.base(), upper.base());
+        const double area = polygons::area_of(polygons::common_part(lower.base(), upper.base()));
         if (area > 1e-3) {
             expect_touch(lower, upper, area, 0);
             ++met;
@@ -174,6 +149,67 @@ TEST(ModelRegions, BoxesOnEachOther) {
     expect_touch(lower, box(-1, -1, 3, 3, 1), 1, 0);
     expect_touch(lower, box(1, 0, 1, 1, 1), 0, 4); // an edge of four sides
     expect_touch(lower, box(1, 1, 1, 1, 1), 0, 0);
+}
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A cylinder of radius 1 around the z axis, whose seam is turned.
+Handle tube(double low, double high, double angle) {
+    const Handle whole = std::move(faces::cylinder(1, high - low).surface);
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double matrix[] = {c, -s, 0, s, c, 0, 0, 0, 1}, move[] = {0, 0, low};
+    return made([&](nurbs **out) { return nurbs_transform(whole.get(), 3, matrix, move, out); });
+}
+models::Face face_of(const Handle &surface, const faces::Curves &loops) {
+    return models::Face(faces::face_of(surface.get(), loops).release());
+}
+// The square [-2, 2]^2 at a height: all of it, the disc of radius 1 in it, or what is around that.
+enum class Plate { whole, disc, ring };
+models::Face plate(double z, Plate kind) {
+    const Handle surface = support::solids::plane({-2, -2, z}, {4, 0, 0}, {0, 4, 0}),
+                 square = faces::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    const double centre[] = {0.5, 0.5};
+    const Handle circle = made([&](nurbs **out) {
+        return nurbs_curve_circle(2, centre, nullptr, nullptr, 0.25, NURBS_ARC_QUARTERS, out);
+    });
+    faces::Curves loops;
+    if (kind != Plate::disc) {
+        loops.push_back({square.get()});
+    }
+    if (kind != Plate::whole) {
+        loops.push_back({circle.get()});
+    }
+    return face_of(surface, loops);
+}
+Model pin() {
+    const models::Face side = face_of(tube(0, 2, 0), {}), low = plate(0, Plate::disc),
+                       high = plate(2, Plate::disc);
+    return models::model_of({side.get(), low.get(), high.get()});
+}
+
+void expect_round(const Model &a, const Model &b, size_t regions, double length) {
+    for (const bool exchanged : {false, true}) {
+        const Touch touch = exchanged ? touch_of(b.get(), a.get()) : touch_of(a.get(), b.get());
+        EXPECT_TRUE(touch.overlap.crossing.found.complete);
+        EXPECT_EQ(touch.overlap.regions.size(), regions);
+        EXPECT_EQ(std::ranges::count(touch.overlap.crossing.kinds, NURBS_BRANCH_OVERLAP),
+                  std::ssize(touch.overlap.crossing.kinds));
+        EXPECT_NEAR(length_of(touch.overlap, NURBS_BRANCH_OVERLAP), length, 1e-6);
+        check_loops(touch.overlap);
+    }
+}
+
+} // namespace
+
+// Boundaries of regions are circles, and what ends in these goes no farther.
+TEST(ModelRegions, RoundModels) {
+    const models::Face side = face_of(tube(0.5, 1.5, 0.6), {}), low = plate(0.5, Plate::ring),
+                       high = plate(1.5, Plate::ring), on_top = plate(2, Plate::whole);
+    expect_round(pin(), models::model_of({side.get(), low.get(), high.get()}), 1, 4 * pi); // in a bore
+    expect_round(pin(), models::model_of({on_top.get()}), 1, 2 * pi);
+    expect_round(pin(), pin(), 3, 8 * pi);
 }
 
 } // namespace model_regions_test
