@@ -62,6 +62,22 @@ Patch random_patch(Random &random) {
     return {{1.5 - (u[0] + v[0]) / 2, 1 - (u[1] + v[1]) / 2}, u, v};
 }
 
+// Sides that are all but parallel cross where rounding tells, and may be left open.
+bool are_all_but_parallel(const Patch &a, const Patch &b) {
+    const auto parallel = [](const Corner &x, const Corner &y) {
+        return std::abs(x[0] * y[1] - x[1] * y[0]) < 0.01 * std::hypot(x[0], x[1]) * std::hypot(y[0], y[1]);
+    };
+    return parallel(a.u, b.u) || parallel(a.u, b.v) || parallel(a.v, b.u) || parallel(a.v, b.v);
+}
+Patch patch_beside(Random &random, const Patch &other) {
+    for (;;) {
+        const Patch patch = random_patch(random);
+        if (!are_all_but_parallel(patch, other)) {
+            return patch;
+        }
+    }
+}
+
 Handle segment(const Corner &from, const Corner &to) {
     return create({{1}, {2}, {{0, 0, 1, 1}}, 2, {from[0], from[1], to[0], to[1]}, {}});
 }
@@ -190,8 +206,9 @@ TEST(FaceRegions, PolygonsInAPlane) {
         const Plane plane = random_plane(random);
         for (const FlatCase &own : flat_cases()) {
             SCOPED_TRACE(own.name);
-            const Face a = face_in(plane, random_patch(random), own.a),
-                       b = face_in(plane, random_patch(random), own.b);
+            const Patch patch = random_patch(random);
+            const Face a = face_in(plane, patch, own.a),
+                       b = face_in(plane, patch_beside(random, patch), own.b);
             const Overlap overlap = expect_regions(a.get(), b.get(), own.regions),
                           exchanged = expect_regions(b.get(), a.get(), own.regions);
             for (const Overlap *found : {&overlap, &exchanged}) {
@@ -218,6 +235,29 @@ TEST(FaceRegions, EdgesOfPolygons) {
 } // namespace face_regions
 
 namespace face_regions {
+
+// Borders that are off each other by less than the tolerance are one.
+TEST(FaceRegions, WithinTheTolerance) {
+    for_each_case(7740000, 3, [](Random &random, uint64_t seed) {
+        SCOPED_TRACE(seed);
+        for (const FlatCase &own : flat_cases()) {
+            SCOPED_TRACE(own.name);
+            Plane off;
+            off.origin = {random.between(-0.2, 0.2) * tolerance, random.between(-0.2, 0.2) * tolerance, 0};
+            const Patch patch = random_patch(random);
+            const Face a = face_in({}, patch, own.a), b = face_in(off, patch_beside(random, patch), own.b);
+            for (const bool exchanged : {false, true}) {
+                const Overlap overlap = exchanged ? regions_of(b.get(), a.get(), tolerance)
+                                                  : regions_of(a.get(), b.get(), tolerance);
+                EXPECT_TRUE(overlap.crossing.found.complete);
+                EXPECT_EQ(overlap.regions.size(), own.regions);
+                check_loops(overlap);
+                EXPECT_NEAR(area_in(overlap, {}), own.area, 10 * tolerance);
+                EXPECT_NEAR(length_of(overlap, NURBS_BRANCH_EDGE), own.edges, 10 * tolerance);
+            }
+        }
+    });
+}
 
 namespace {
 

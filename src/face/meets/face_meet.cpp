@@ -32,6 +32,8 @@ using intersect::MeetBranch;
 using intersect::MeetNode;
 using intersect::NodeKind;
 
+// Of grounds that are looked at where the usual ones leave something open: not the same, so that no ends are one by chance again.
+constexpr std::array<double, 2> margins_beyond{1.0 / 53, 1.0 / 41};
 // How many rooms around an edge what begins and ends there may reach.
 constexpr double most_rooms = 16;
 
@@ -279,7 +281,8 @@ Meet strangers_intersections(const Face &a, const Face &b, double tolerance) {
     if (found.complete || found.limited) {
         return found;
     }
-    Meet beyond = met_on({ground_of(a, true), ground_of(b, true)}, a, b, tolerance);
+    Meet beyond = met_on({ground_of(a, true, margins_beyond[0]), ground_of(b, true, margins_beyond[1])}, a, b,
+                         tolerance);
     if (!beyond.complete) {
         return found;
     }

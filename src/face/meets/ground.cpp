@@ -16,8 +16,6 @@ namespace nrb::face {
 
 namespace {
 
-// Of the rectangle: small enough to stay near, and large enough for what is found beside the border to be no part of the face.
-constexpr double margin = 1.0 / 64;
 // Of the span at an end: its polynomial is hardly larger so far beyond it.
 constexpr double most_of_span = 1.0 / 8;
 // What is kept of a span is no less than that.
@@ -53,7 +51,7 @@ struct Speeds {
 
 } // namespace
 
-SplinePtr ground_of(const Face &face, bool beyond) {
+SplinePtr ground_of(const Face &face, bool beyond, double margin) {
     const std::array<Interval, 2> rectangle = smallest_rectangle(face);
     SplinePtr surface = face.surface();
     for (const int k : {0, 1}) {
