@@ -24,6 +24,10 @@ using intersect::NodeKind;
 
 using Ranges = std::array<Interval, 2>;
 
+void include(Interval &range, double x) noexcept {
+    range = {std::min(range.lower, x), std::max(range.upper, x)};
+}
+
 // Of curves; where the domain closes, or has a pole, all of it: a part goes farther than its border there.
 Ranges range_of(const Covering &covering, const SharedLoops &loops, size_t k) {
     const bool all = loops.empty() || covering.closed(0) || covering.closed(1) || covering.has_poles();
@@ -36,7 +40,7 @@ Ranges range_of(const Covering &covering, const SharedLoops &loops, size_t k) {
             for (int64_t i = 0; i < curve.on[k]->point_count(); ++i) {
                 for (size_t axis = 0; axis < 2; ++axis) {
                     const double x = curve.on[k]->coordinate(i, static_cast<int>(axis));
-                    ranges[axis] = {std::min(ranges[axis].lower, x), std::max(ranges[axis].upper, x)};
+                    include(ranges[axis], x);
                 }
             }
         }
@@ -69,6 +73,10 @@ void RegionBranches::add_region(const SharedLoops &loops, int64_t level) {
     MeetNode node{level, NodeKind::overlap, inside.front(), range_of(grounds_.covering(0), loops, 0)};
     node.at_second = place_beside(grounds_, inside.front());
     node.range_second = range_of(grounds_.covering(1), loops, 1);
+    for (size_t axis = 0; axis < 2; ++axis) { // to rounding, and to the tolerance
+        include(node.range[axis], node.at[axis]);
+        include(node.range_second[axis], node.at_second[axis]);
+    }
     meet_.nodes.push_back(node);
 }
 
