@@ -5982,10 +5982,27 @@ NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nu
  * makes larger than a 16th of the size of the edge is no more than that. So is what begins within 16 rooms of the edge
  * and is no longer than that. What leaves an edge otherwise begins in a node EDGE. For this surfaces are continued beyond the
  * ends of their domains, where borders do cross. Faces that are smooth at a shared edge have a node UNDECIDED there in general,
- * as surfaces that touch, and so have faces that lie on one surface.
+ * as surfaces that touch.
+ *
+ * Of a region in which the surfaces of both are one (nurbs_surface_intersections()) that part is told which is inside of the
+ * loops of both: each piece of it has a level of its own, 1, 2, ..., a node OVERLAP, and a boundary of branches OVERLAP,
+ * parts of curves of either face, as such regions of surfaces have; none of it is told if nothing is inside of both. For
+ * this the part of b in the region is cut out in the domain of b, its border is carried over to that of a along the region,
+ * and what a has inside of it is cut out there, as nurbs_region_combine() does: what of both is no farther apart than the
+ * largest of the tolerance and those of the faces, as a share of the size of the surface, is one, so that sides of both that
+ * run along each other leave no slivers. Where they do so on opposite sides, there is no region but a branch EDGE, which
+ * runs with the loop of a and ends in nodes BORDER; where faces touch in a corner alone, nothing. Deviations of these
+ * branches bound how far both surfaces over the curves in the domains are from the curve in space, INFINITY where that is
+ * not proven. Where any of this would have to be decided by rounding, or the limit of work comes first, a node UNDECIDED is
+ * left.
+ *
+ * If it is left open what faces without shared edges have in common, they are met once more on surfaces continued beyond the
+ * ends of their domains, for patches of one surface side by side; what is complete there is the answer. Of faces with shared
+ * edges regions are looked for only where the surfaces, of 64 pieces at most, lie on each other beside an edge CONTACT:
+ * parts of one plane or one cylinder that are neighbours so have nothing in common but that edge.
  * \param[in] a,b faces in space.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points.
- * \param[out] out the new meet, all of it of level 0, on the surfaces of a and of b.
+ * \param[out] out the new meet, all of it but overlaps of level 0, on the surfaces of a and of b.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE, _NOT_CONVERGED.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, double tolerance,
@@ -6113,8 +6130,8 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 /** \brief What the branches of a meet are.
  * \param[in] meet a meet.
  * \param[in] cap length of the output: 0, or at least the number of branches.
- * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each: EDGE and CONTACT in meets of faces only, TOUCH wherever two
- *   surfaces are met, trimmed or not, OVERLAP in nurbs_surface_intersections() only.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each: EDGE and CONTACT in meets of faces and
+ *   models only, TOUCH wherever two surfaces are met, trimmed or not, OVERLAP where surfaces, faces or models are met.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -8358,23 +8375,27 @@ NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64
 /** \brief Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to ways over
  * the edges that faces share: the curves of a union, a difference or an intersection. On each pair of faces whose boxes
  * have common points, found in a tree of these, branches and nodes are those of nurbs_face_intersections() of faces that share
- * no edge; edges of the two models are not taken for each other, so that what lies on one another is a node UNDECIDED.
+ * no edge. Regions in which faces are one have levels of their own throughout, from 1; their branches run around them as in
+ * the domain of the face of a, and edges with its loops. Curves in which a face meets a neighbour of one that it has such a
+ * region with are left out where they run along the border of that from end to end: models that stand on each other have the
+ * region in common.
  * Curves in space are in the whole. Branches run along n_b x n_a with the outer normals n of the faces
  * (nurbs_model_face()): on a face of a, seen from outside, the material of b is on their right, and on one of b that of a on their
  * left. Faces that bound no solid run as the first one of those that hang together by edges.
  *
- * Where a branch ends on an edge that two faces of a solid share, or two that bound none, the next one is found on the
- * other face with the same face of the other model, or, where edges of both cross, with the other face of that; both
- * ends are nodes EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces
- * and the one given allow, divided by the sine of the angle, of at least 1/256, between edge and surface. An end on a shared
- * edge for which there is none is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is
- * joined because it is near alone.
+ * Where a branch ends on an edge that two faces of a solid share, or two that bound none, the next one is found on the other
+ * face with the same face of the other model, or, where edges of both cross, with the other face of that; both ends are
+ * nodes EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces and the one
+ * given allow, divided by the sine of the angle, of at least 1/256, between edge and surface. An end on a shared edge for
+ * which there is none is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is joined
+ * because it is near alone. What runs along borders of both faces from end to end, and goes on in nothing, is an edge that
+ * both models have: a branch EDGE, which ends in nodes BORDER, between each pair of the faces beside it.
  *
  * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a little more than
  * the face.
- * \param[in] a,b models; both may be the same, which mostly is undecided.
+ * \param[in] a,b models; both may be the same.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points, in the whole.
- * \param[out] out the new meet, all of it of level 0; nurbs_meet_faces() and nurbs_meet_joints() tell the faces of a,
+ * \param[out] out the new meet, all of it but overlaps of level 0; nurbs_meet_faces() and nurbs_meet_joints() tell the faces of a,
  *   nurbs_meet_faces_second() and nurbs_meet_joints_second() those of b.
  * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _NOT_REPRESENTABLE; _MATRIX if a placement cannot be
  *   inverted, _TOO_LARGE if there are too many instances.

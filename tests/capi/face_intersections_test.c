@@ -85,15 +85,60 @@ static void in_an_edge(void) {
     }
 }
 
-/* In one plane: contact, and it is left open what else there is. */
+/* In one plane: contact, and nothing else. */
 static void smooth(void) {
     nurbs_meet *meet = met(floor_face(), wall(1, 0, 7));
     int64_t branches = 0;
-    int32_t kinds[most];
-    CHECK_OK(nurbs_meet_counts(meet, &branches, NULL, NULL));
-    CHECK_INT(branches, 1);
+    int32_t complete = 0, kinds[most];
+    CHECK_OK(nurbs_meet_counts(meet, &branches, NULL, &complete));
+    CHECK(branches == 1 && complete == 1);
     CHECK_OK(nurbs_meet_kinds(meet, most, kinds, NULL));
     CHECK_INT(kinds[0], NURBS_BRANCH_CONTACT);
+    nurbs_meet_destroy(meet);
+}
+
+/* On one plane: the part of the floor that is below the carpet, from (1, 1, 0) to (3, 2, 0), with a boundary of four curves. */
+static void in_a_region(void) {
+    const double origin[] = {1, 1, 0}, u[] = {2, 0, 0}, v[] = {0, 1, 0};
+    const int64_t keys[] = {0, 0, 0, 0};
+    nurbs *g = parallelogram(origin, u, v);
+    nurbs_meet *meet = met(floor_face(), bounded(g, keys));
+    nurbs_destroy(g);
+    int64_t branches = 0, nodes = 0, levels[most], node_levels[most], loops[most], ends[2 * most], next[most];
+    int32_t complete = 0, kinds[most], node_kinds[most];
+    double params[2 * most], second[2 * most], ranges[4 * most], deviations[most], length = 0;
+    CHECK_OK(nurbs_meet_counts(meet, &branches, &nodes, &complete));
+    CHECK(branches == 4 && nodes == 5 && complete == 1);
+    CHECK_OK(nurbs_meet_kinds(meet, most, kinds, NULL));
+    CHECK_OK(nurbs_meet_branches(meet, most, levels, ends, loops, deviations, NULL));
+    CHECK_OK(nurbs_meet_nodes(meet, most, node_levels, node_kinds, params, ranges, NULL));
+    CHECK_OK(nurbs_meet_nodes_second(meet, most, second, NULL, NULL));
+    CHECK_OK(nurbs_meet_joints(meet, most, next, NULL, NULL, NULL, NULL));
+    for (int i = 0; i < 4; ++i) {
+        double own = 0;
+        nurbs *space = NULL, *on = NULL;
+        CHECK(kinds[i] == NURBS_BRANCH_OVERLAP && levels[i] == 1 && loops[i] == 0 && deviations[i] < 1e-9);
+        CHECK(next[ends[2 * i + 1]] == ends[2 * ((i + 1) % 4)]);
+        CHECK_OK(nurbs_meet_branch(meet, i, &space, &on));
+        CHECK_OK(nurbs_curve_length(space, NULL, 1e-12, &own, NULL));
+        length += own;
+        nurbs_destroy(on);
+        nurbs_destroy(space);
+    }
+    CHECK(fabs(length - 4) < 1e-9);
+    int regions = 0;
+    for (int i = 0; i < 5; ++i) {
+        CHECK(node_levels[i] == 1);
+        if (node_kinds[i] == NURBS_NODE_OVERLAP) {
+            ++regions;
+            CHECK(fabs(ranges[4 * i] - 0.5) < 1e-9 && fabs(ranges[4 * i + 1] - 1) < 1e-9);
+            CHECK(fabs(2 * params[2 * i] - 1 - 2 * second[2 * i]) < 1e-9);
+            CHECK(fabs(3 * params[2 * i + 1] - 1 - second[2 * i + 1]) < 1e-9);
+        } else {
+            CHECK_INT(node_kinds[i], NURBS_NODE_BORDER);
+        }
+    }
+    CHECK_INT(regions, 1);
     nurbs_meet_destroy(meet);
 }
 
@@ -201,6 +246,7 @@ static void refused(void) {
 int main(void) {
     in_an_edge();
     smooth();
+    in_a_region();
     by_chance();
     watched();
     refused();

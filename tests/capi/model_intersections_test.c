@@ -6,9 +6,9 @@
 
 enum { most = 32 };
 
-/* A face around the box [0, 1] x [0, 2] x [0, 3], at the height 1.5. */
-static nurbs_model *slab(double lower, double upper) {
-    const double origin[] = {lower, lower, 1.5}, u[] = {upper - lower, 0, 0}, v[] = {0, upper - lower, 0};
+/* A face around the box [0, 1] x [0, 2] x [0, 3]. */
+static nurbs_model *slab_at(double height, double lower, double upper) {
+    const double origin[] = {lower, lower, height}, u[] = {upper - lower, 0, 0}, v[] = {0, upper - lower, 0};
     nurbs *g = NULL;
     nurbs_face *face = NULL;
     nurbs_model *model = NULL;
@@ -19,6 +19,10 @@ static nurbs_model *slab(double lower, double upper) {
     nurbs_face_destroy(face);
     nurbs_destroy(g);
     return model;
+}
+
+static nurbs_model *slab(double lower, double upper) {
+    return slab_at(1.5, lower, upper);
 }
 
 static nurbs_meet *met(nurbs_model *a, nurbs_model *b) {
@@ -83,6 +87,35 @@ static void ends_inside(void) {
     }
     CHECK(nodes == 4 && borders == 2);
     nurbs_meet_destroy(meet);
+}
+
+/* On the top: a region of one of its faces, and no curves of the sides beside it. */
+static void on_top(void) {
+    for (int exchanged = 0; exchanged < 2; ++exchanged) {
+        nurbs_meet *meet = exchanged ? met(slab_at(3, -1, 4), box()) : met(box(), slab_at(3, -1, 4));
+        int64_t branches = 0, nodes = 0, levels[most], first[most], second[most], of_first[most], ways = 0;
+        int32_t complete = 0, kinds[most], node_kinds[most], regions = 0, closes[most];
+        CHECK_OK(nurbs_meet_counts(meet, &branches, &nodes, &complete));
+        CHECK(branches == 4 && nodes == 5 && complete == 1);
+        CHECK_OK(nurbs_meet_kinds(meet, most, kinds, NULL));
+        CHECK_OK(nurbs_meet_branches(meet, most, levels, NULL, NULL, NULL, NULL));
+        CHECK_OK(nurbs_meet_faces(meet, most, first, NULL, NULL));
+        CHECK_OK(nurbs_meet_faces_second(meet, most, second, NULL, NULL));
+        CHECK_OK(nurbs_meet_joints(meet, most, NULL, NULL, of_first, NULL, NULL));
+        CHECK_OK(nurbs_meet_nodes(meet, most, NULL, node_kinds, NULL, NULL, NULL));
+        CHECK_OK(nurbs_meet_ways(meet, most, NULL, NULL, NULL, closes, NULL, &ways));
+        CHECK(ways == 1 && closes[0] == 1);
+        for (int i = 0; i < 4; ++i) {
+            CHECK(kinds[i] == NURBS_BRANCH_OVERLAP && levels[i] == 1);
+            CHECK(first[i] == first[0] && second[i] == second[0] && (exchanged ? first : second)[i] == 0);
+        }
+        for (int i = 0; i < 5; ++i) {
+            regions += node_kinds[i] == NURBS_NODE_OVERLAP;
+            CHECK_INT(of_first[i], first[0]);
+        }
+        CHECK_INT(regions, 1);
+        nurbs_meet_destroy(meet);
+    }
 }
 
 static void apart(void) {
@@ -197,6 +230,7 @@ static void refused_by_meets(void) {
 int main(void) {
     around_a_box();
     ends_inside();
+    on_top();
     apart();
     watched();
     refused();

@@ -13,14 +13,7 @@ struct Block {
     std::array<Point3, 3> edges{};
     std::vector<models::Face> sides; // two across each edge in turn
 };
-inline Block random_block(Random &random, double gap = 0, double spread = 0) {
-    Block block;
-    for (size_t k = 0; k < 3; ++k) {
-        block.origin[k] = random.between(-spread, spread);
-        for (size_t c = 0; c < 3; ++c) {
-            block.edges[k][c] = (k == c ? random.between(0.5, 2) : 0) + random.between(-0.4, 0.4);
-        }
-    }
+inline Block with_sides(Block block, double gap = 0) {
     const auto key = [](size_t along, int64_t first, int64_t second) {
         return 1 + 4 * static_cast<int64_t>(along) + first + 2 * second;
     };
@@ -42,6 +35,16 @@ inline Block random_block(Random &random, double gap = 0, double spread = 0) {
         }
     }
     return block;
+}
+inline Block random_block(Random &random, double gap = 0, double spread = 0) {
+    Block block;
+    for (size_t k = 0; k < 3; ++k) {
+        block.origin[k] = random.between(-spread, spread);
+        for (size_t c = 0; c < 3; ++c) {
+            block.edges[k][c] = (k == c ? random.between(0.5, 2) : 0) + random.between(-0.4, 0.4);
+        }
+    }
+    return with_sides(std::move(block), gap);
 }
 
 inline Point3 cross(const Point3 &a, const Point3 &b) {

@@ -154,7 +154,7 @@ TEST_P(FaceMeetsInFiles, NeighboursMeetInTheirEdges) {
     const int64_t every =
         scale() >= 2 ? 1
                      : static_cast<int64_t>(static_cast<double>(GetParam().every) / std::min(scale(), 1.0));
-    int64_t number = 0, clear = 0;
+    int64_t number = 0, clear = 0, done = 0;
     for (const auto &[pair, length] : pairs) {
         if (number++ % every != 0) {
             continue;
@@ -165,13 +165,15 @@ TEST_P(FaceMeetsInFiles, NeighboursMeetInTheirEdges) {
         const double edges = found.length(NURBS_BRANCH_EDGE), contacts = found.length(NURBS_BRANCH_CONTACT);
         EXPECT_NEAR(edges + contacts, length, 1e-6 * length);
         EXPECT_EQ(found.count(NURBS_BRANCH_CROSSING), 0);
+        done += found.complete() ? 1 : 0;
         if (contacts == 0) {
             EXPECT_TRUE(found.complete());
             ++clear;
         }
     }
-    std::printf("%s: %lld pairs, %lld without contact\n", GetParam().name,
-                static_cast<long long>((number + every - 1) / every), static_cast<long long>(clear));
+    std::printf("%s: %lld pairs, %lld without contact, %lld complete\n", GetParam().name,
+                static_cast<long long>((number + every - 1) / every), static_cast<long long>(clear),
+                static_cast<long long>(done));
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, FaceMeetsInFiles,

@@ -236,6 +236,40 @@ TEST(Regions, LinesDivideADisk) {
 
 namespace {
 
+// A circle of which the quarters run faster and faster, or slower and slower: their weights are 1, c / sqrt(2), c^2 by turns.
+Handle uneven_circle(const Point &center, double radius, double start, double c) {
+    SplineData data{{2}, {9}, {{0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}}, 2, {}, {}};
+    for (int i = 0; i < 9; ++i) {
+        const double angle = start + pi / 4 * i, far = radius * (i % 2 == 0 ? 1 : std::numbers::sqrt2);
+        data.points.insert(data.points.end(),
+                           {center[0] + far * std::cos(angle), center[1] + far * std::sin(angle)});
+        data.weights.push_back(i % 2 == 1 ? c / std::numbers::sqrt2 : i % 4 == 0 ? 1 : c * c);
+    }
+    data.points[16] = data.points[0];
+    data.points[17] = data.points[1];
+    return create(data);
+}
+
+} // namespace
+
+// However unevenly curves run, what they bound is the same.
+TEST(Regions, WeightsFarApart) {
+    for_each_case(8450, 40, [](Random &random, uint64_t seed) {
+        SCOPED_TRACE(seed);
+        const double c = std::pow(10, random.between(-3, 3));
+        Curves disk, lines;
+        disk.push_back(uneven_circle({0.1, -0.2}, 1.5, random.between(0, 2 * pi), c));
+        const Model whole = region(disk);
+        EXPECT_NEAR(area_of(whole), 2.25 * pi, 1e-9);
+        lines.push_back(line_through(random));
+        const Model parts = split(models::face_of(whole.get(), 0).get(), lines);
+        EXPECT_EQ(models::counts_of(parts.get()).faces, 2);
+        EXPECT_NEAR(area_of(parts), 2.25 * pi, 1e-9);
+    });
+}
+
+namespace {
+
 // Beyond both of them.
 Model frame() {
     Curves curves;

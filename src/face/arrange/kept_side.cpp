@@ -7,6 +7,7 @@
 #include "closest/closest.h"
 #include "eval/evaluate.h"
 #include "face/arrange/split.h"
+#include "face/places_inside.h"
 #include "intersect/surfaces/surface_surface.h"
 
 #include <algorithm>
@@ -74,68 +75,6 @@ double near_of(const intersect::Meet &meet, double tolerance) {
     return near;
 }
 
-struct Place {
-    Point2 at;
-    double height; // of what is inside of the face in its column
-};
-
-// At a share of the highest part of a column inside of a face.
-std::optional<Place> place_in_column(const Face &face, double u, double share) {
-    struct Crossing {
-        double v;
-        int passed;
-    };
-    const TrimMap &trims = face.trims();
-    const Interval domain = face.covering().domain(1);
-    std::vector<Crossing> crossings;
-    trims.in_column(u, [&](const TrimPiece &piece) {
-        const double v = trims.pieces().point(piece, trims.pieces().place_of(piece, 0, u))[1];
-        crossings.push_back({v, trims.passed(piece)});
-    });
-    std::ranges::sort(crossings, std::ranges::greater{}, &Crossing::v);
-    crossings.push_back({domain.lower, 0});
-    std::optional<Place> best;
-    int value = trims.value_at_top(u);
-    double above = domain.upper;
-    for (const Crossing &crossing : crossings) {
-        if (value > 0 && above - crossing.v > (best ? best->height : 0)) {
-            best = Place{{u, crossing.v + share * (above - crossing.v)}, above - crossing.v};
-        }
-        value += crossing.passed;
-        above = crossing.v;
-    }
-    return best;
-}
-
-// Places inside of a face, those farthest from its border along a column first.
-std::vector<Point2> places_in(const Face &face) {
-    constexpr int inner = 8; // columns between two ends of pieces, at the widest of these
-    std::vector<double> ends{face.covering().domain(0).lower, face.covering().domain(0).upper};
-    for (const TrimPiece &piece : face.trims().pieces().all()) {
-        ends.insert(ends.end(), {piece.lower[0], piece.upper[0]});
-    }
-    std::ranges::sort(ends);
-    std::vector<Interval> gaps;
-    for (size_t i = 0; i + 1 < ends.size(); ++i) {
-        gaps.push_back({ends[i], ends[i + 1]});
-    }
-    std::ranges::sort(gaps, std::ranges::greater{},
-                      [](const Interval &gap) { return gap.upper - gap.lower; });
-    std::vector<Place> places;
-    for (size_t i = 0; i < std::min<size_t>(gaps.size(), inner); ++i) {
-        for (const double share : {0.5, 0.381966}) { // the surface may touch the face in the middle
-            const double u = gaps[i].lower + share * (gaps[i].upper - gaps[i].lower);
-            if (const auto place = place_in_column(face, u, share)) {
-                places.push_back(*place);
-            }
-        }
-    }
-    std::ranges::sort(places, std::ranges::greater{}, &Place::height);
-    std::vector<Point2> result;
-    std::ranges::transform(places, std::back_inserter(result), [](const Place &place) { return place.at; });
-    return result;
-}
-
 // On which side of a surface points lie.
 class Sides {
 public:
@@ -183,7 +122,7 @@ private:
 };
 
 int side_of(const Face &part, const Sides &sides) {
-    for (const Point2 &place : places_in(part)) {
+    for (const Point2 &place : places_inside(part)) {
         if (const int side = sides.of(point_at(*part.surface(), place)); side != 0) {
             return side;
         }

@@ -5,10 +5,8 @@
 #include "base/numbers.h"
 #include "bounds/box.h"
 #include "eval/curve_point.h"
-#include "face/arrange/domain_area.h"
-#include "face/arrange/edge_sides.h"
 #include "face/arrange/face_loops.h"
-#include "face/arrange/parts.h"
+#include "face/arrange/inside_parts.h"
 #include "face/arrange/plane_map.h"
 #include "spline/kind.h"
 
@@ -22,8 +20,6 @@
 namespace nrb::face {
 
 namespace {
-
-using Inside = std::function<bool(const PassedSums &)>;
 
 // The plane z = 0 over a square, with the coordinates as parameters.
 SplinePtr plane_over(const Interval &x, const Interval &y) {
@@ -97,29 +93,15 @@ public:
         for (const auto &[face, owner] : faces_) {
             corner.add(*face, owner);
         }
-        const std::vector<DirectedEdge> border = border_of(arrangement, corner.sums(), inside);
-        for (const PartLoops &part : PartsWithin(arrangement, border).list(inside(corner.sums()))) {
+        const InsideParts parts(arrangement, corner.sums(), inside);
+        for (const PartLoops &part : parts.list()) {
             faces.push_back(face_of(arrangement, part));
         }
-        const auto at_top = [&](double u) { return inside(values_at_top(arrangement, corner.sums(), u)); };
-        check_area(arrangement, faces, domain_area(arrangement, border, at_top));
+        parts.check(faces);
         return faces;
     }
 
 private:
-    // What is inside to its left only.
-    static std::vector<DirectedEdge> border_of(const Arrangement &arrangement, const PassedSums &at_corner,
-                                               const Inside &inside) {
-        std::vector<DirectedEdge> border;
-        const std::vector<SideValues> sides = values_beside(arrangement, at_corner);
-        for (size_t i = 0; i < sides.size(); ++i) {
-            const bool in_left = inside(sides[i].left);
-            if (in_left != inside(sides[i].right)) {
-                border.push_back({i, !in_left});
-            }
-        }
-        return border;
-    }
     [[nodiscard]] FacePtr face_of(const Arrangement &arrangement, const PartLoops &part) const {
         FaceParts parts{surface_, {}, tolerance_, true};
         for (const EdgeLoop &loop : part) {

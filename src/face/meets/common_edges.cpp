@@ -6,7 +6,7 @@
 #include "base/watch.h"
 #include "eval/curve_point.h"
 #include "face/deviation.h"
-#include "numeric/vector3.h"
+#include "face/meets/ground.h"
 #include "reduce/compatible.h"
 #include "refine/forms/parametrization.h"
 #include "refine/parts/cut.h"
@@ -115,14 +115,9 @@ UnderEdge under(const Face &face, const Coedge &coedge, const SplinePtr &edge, b
     return {refine::reparametrize(along, 0, edge->axis(0).domain()), infinity};
 }
 
-// Not of length 1; 0 where it is not defined.
 Vector3 normal_at(const Face &face, const Spline &curve, double t) {
     const std::vector<double> on = eval::curve_point(curve, t, false);
-    const Point2 at = face.covering().in_domain({on[0], on[1]});
-    std::array<double, 9> jet{}; // the point and both derivatives
-    eval::evaluate_points(*face.surface(), {}, 1, {at.data(), 1, 2, 2, 1}, {jet.data(), 1, 9, 9, 1});
-    const Vector3 u{jet[3], jet[4], jet[5]}, v{jet[6], jet[7], jet[8]};
-    return cross(times_power(u, -size_exponent(u)), times_power(v, -size_exponent(v)));
+    return surface_normal(*face.surface(), face.covering().in_domain({on[0], on[1]}));
 }
 
 Vector3 difference(const Spline &curve, double from, double to) {

@@ -5,8 +5,11 @@
 #include "base/watch.h"
 #include "closest/closest.h"
 #include "eval/curve_point.h"
+#include "face/meets/along_border.h"
 #include "face/meets/common_edges.h"
+#include "face/meets/face_regions.h"
 #include "face/meets/ground.h"
+#include "face/meets/one_surface.h"
 #include "face/trimmed_meet.h"
 #include "intersect/pairs/curve_curve.h"
 #include "intersect/surfaces/surface_surface.h"
@@ -15,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -22,11 +26,14 @@ namespace nrb::face {
 
 namespace {
 
+using intersect::BranchKind;
 using intersect::Meet;
 using intersect::MeetBranch;
 using intersect::MeetNode;
 using intersect::NodeKind;
 
+// Of grounds that are looked at where the usual ones leave something open: not the same, so that no ends are one by chance again.
+constexpr std::array<double, 2> margins_beyond{1.0 / 53, 1.0 / 41};
 // How many rooms around an edge what begins and ends there may reach.
 constexpr double most_rooms = 16;
 
@@ -55,25 +62,40 @@ bool are_near(const Box &a, const Box &b, double room) noexcept {
     return true;
 }
 
-// Which parts of branches run along common edges.
-PartsOfBranches parts_along(const Meet &meet, std::span<const CommonEdge> edges) {
-    PartsOfBranches parts(meet.branches.size());
-    for (size_t i = 0; i < parts.size(); ++i) {
-        const Spline &curve = *meet.branches[i].space;
-        const Box box = box_of(curve);
-        for (const CommonEdge &edge : edges) {
-            if (!are_near(box, box_of(*edge.branch.space), edge.room)) {
-                continue;
-            }
-            for (const intersect::PairHit &hit :
-                 intersect::curve_curve(curve, *edge.branch.space, edge.room).list) {
-                if (hit.kind == intersect::HitKind::overlap) {
-                    parts[i].push_back(hit.range_a);
-                }
+// Which parts of a curve run along common edges.
+std::vector<Interval> parts_along(const Spline &curve, std::span<const CommonEdge> edges) {
+    std::vector<Interval> parts;
+    const Box box = box_of(curve);
+    for (const CommonEdge &edge : edges) {
+        if (!are_near(box, box_of(*edge.branch.space), edge.room)) {
+            continue;
+        }
+        for (const intersect::PairHit &hit :
+             intersect::curve_curve(curve, *edge.branch.space, edge.room).list) {
+            if (hit.kind == intersect::HitKind::overlap) {
+                parts.push_back(hit.range_a);
             }
         }
     }
     return parts;
+}
+
+PartsOfBranches parts_along(const Meet &meet, std::span<const CommonEdge> edges) {
+    PartsOfBranches parts;
+    for (const MeetBranch &branch : meet.branches) {
+        parts.push_back(branch.kind == BranchKind::overlap ? std::vector<Interval>()
+                                                           : parts_along(*branch.space, edges));
+    }
+    return parts;
+}
+
+// Of those that faces on one surface have beside regions.
+void drop_edges_along(Meet &regions, std::span<const CommonEdge> edges) {
+    std::erase_if(regions.branches, [&](const MeetBranch &branch) {
+        return branch.kind == BranchKind::edge &&
+               cover(parts_along(*branch.space, edges), branch.space->axis(0).domain());
+    });
+    regions.tidy_nodes();
 }
 
 // Whether a place is as near to an edge as that is told.
@@ -194,6 +216,38 @@ void add_edge(const Face &a, const Face &b, const CommonEdge &edge, Meet &meet) 
     meet.append(std::move(own));
 }
 
+// What faces have of the regions of a meet of their surfaces; the nodes of these tell no more of it.
+Meet regions_in(Meet &surfaces, const Face &a, const Face &b, const std::array<SplinePtr, 2> &grounds,
+                double tolerance) {
+    Meet found;
+    found.of_two = true;
+    if (std::ranges::find(surfaces.nodes, NodeKind::overlap, &MeetNode::kind) == surfaces.nodes.end()) {
+        return found;
+    }
+    FaceRegions regions(a, b, grounds, tolerance);
+    for (MeetNode &node : surfaces.nodes) {
+        if (node.kind != NodeKind::overlap || work_ended()) {
+            continue;
+        }
+        if (std::optional<Meet> own = regions.within(surfaces, node)) {
+            found.append(std::move(*own));
+            node.kind = NodeKind::border; // of no branch that is kept
+        }
+    }
+    return found;
+}
+
+Meet met_on(const std::array<SplinePtr, 2> &grounds, const Face &a, const Face &b, double tolerance) {
+    Meet all =
+        intersect::surface_intersections(*grounds[0], *grounds[1], tolerance, intersect::Regions::told);
+    Meet regions = regions_in(all, a, b, grounds, tolerance);
+    Meet found = trimmed(b, trimmed(a, all), 1);
+    found.limited = found.limited || work_ended();
+    found.append(std::move(regions));
+    found.tidy_nodes();
+    return found;
+}
+
 } // namespace
 
 Meet face_intersections(const Face &a, const Face &b, double tolerance) {
@@ -202,11 +256,17 @@ Meet face_intersections(const Face &a, const Face &b, double tolerance) {
     if (edges.empty()) {
         return strangers_intersections(a, b, tolerance);
     }
-    const SplinePtr ground_a = ground_of(a, true), ground_b = ground_of(b, true);
-    Meet all = intersect::surface_intersections(*ground_a, *ground_b, tolerance);
-    settle_places_on_edges(*ground_a, edges, all);
+    const std::array<SplinePtr, 2> grounds{ground_of(a, true), ground_of(b, true)};
+    const auto told =
+        may_be_one(grounds, a, edges, tolerance) ? intersect::Regions::told : intersect::Regions::open;
+    Meet all = intersect::surface_intersections(*grounds[0], *grounds[1], tolerance, told);
+    Meet regions = regions_in(all, a, b, grounds, tolerance);
+    settle_places_on_edges(*grounds[0], edges, all);
     Meet found = trimmed(b, trimmed(a, all, 0, parts_along(all, edges)), 1);
     drop_what_is_of_edges(found, edges);
+    drop_edges_along(regions, edges);
+    found.append(std::move(regions));
+    found.tidy_nodes();
     IntoDomains(a, b).move(found);
     for (const CommonEdge &edge : edges) {
         add_edge(a, b, edge, found);
@@ -214,10 +274,20 @@ Meet face_intersections(const Face &a, const Face &b, double tolerance) {
     return found;
 }
 
+// Where surfaces are one, and end in one curve, it takes what they are beyond it to tell that faces have no more in common.
 Meet strangers_intersections(const Face &a, const Face &b, double tolerance) {
     const LimitedSearch whole;
-    const SplinePtr ground_a = ground_of(a, false), ground_b = ground_of(b, false);
-    return trimmed(b, trimmed(a, intersect::surface_intersections(*ground_a, *ground_b, tolerance)), 1);
+    Meet found = met_on({ground_of(a, false), ground_of(b, false)}, a, b, tolerance);
+    if (found.complete || found.limited) {
+        return found;
+    }
+    Meet beyond = met_on({ground_of(a, true, margins_beyond[0]), ground_of(b, true, margins_beyond[1])}, a, b,
+                         tolerance);
+    if (!beyond.complete) {
+        return found;
+    }
+    IntoDomains(a, b).move(beyond);
+    return beyond;
 }
 
 } // namespace nrb::face

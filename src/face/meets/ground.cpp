@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "eval/evaluate.h"
 #include "face/face_box.h"
 #include "refine/parts/continuation.h"
 #include "refine/parts/cut.h"
@@ -15,10 +16,10 @@ namespace nrb::face {
 
 namespace {
 
-// Of the rectangle: small enough to stay near, and large enough for what is found beside the border to be no part of the face.
-constexpr double margin = 1.0 / 64;
 // Of the span at an end: its polynomial is hardly larger so far beyond it.
 constexpr double most_of_span = 1.0 / 8;
+// What is kept of a span is no less than that.
+constexpr double least_of_span = 1.0 / 8;
 
 double last_span(const KnotVector &axis, bool upper) {
     const std::span<const double> breaks = axis.spans().breaks();
@@ -35,6 +36,14 @@ SplinePtr continued(const SplinePtr &surface, int axis, bool upper, double amoun
     }
 }
 
+// Farther out, where the piece that is cut would be a sliver, beyond which its polynomial tells nothing.
+double cut_at(const KnotVector &axis, double at, bool upper) {
+    const std::span<const double> breaks = axis.spans().breaks();
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
+    const double low = *(above - 1), high = *above, least = least_of_span * (high - low);
+    return upper ? std::max(at, low + least) : std::min(at, high - least);
+}
+
 // Of control points with their weights around a centre, of the derivative along an axis and of the weights' one.
 struct Speeds {
     double reach = 0, along = 0, weights = 0, least = infinity;
@@ -42,7 +51,7 @@ struct Speeds {
 
 } // namespace
 
-SplinePtr ground_of(const Face &face, bool beyond) {
+SplinePtr ground_of(const Face &face, bool beyond, double margin) {
     const std::array<Interval, 2> rectangle = smallest_rectangle(face);
     SplinePtr surface = face.surface();
     for (const int k : {0, 1}) {
@@ -52,8 +61,8 @@ SplinePtr ground_of(const Face &face, bool beyond) {
         const auto &[lower, upper] = rectangle[static_cast<size_t>(k)];
         const Interval domain = surface->axis(k).domain();
         const double around = margin * (upper - lower);
-        const double from = std::max(lower - around, domain.lower),
-                     to = std::min(upper + around, domain.upper);
+        const double from = cut_at(surface->axis(k), std::max(lower - around, domain.lower), false),
+                     to = cut_at(surface->axis(k), std::min(upper + around, domain.upper), true);
         if ((from > domain.lower || to < domain.upper) && from < to) {
             surface = refine::restrict_axis(surface, k, from, to);
         }
@@ -102,6 +111,13 @@ std::array<double, 2> fastest(const Spline &surface) {
         bound[static_cast<size_t>(k)] = speed >= 0 ? speed * (1 + 64 * eps) : infinity;
     }
     return bound;
+}
+
+Vector3 surface_normal(const Spline &surface, const Point2 &at) {
+    std::array<double, 9> jet{}; // the point and both derivatives
+    eval::evaluate_points(surface, {}, 1, {at.data(), 1, 2, 2, 1}, {jet.data(), 1, 9, 9, 1});
+    const Vector3 u{jet[3], jet[4], jet[5]}, v{jet[6], jet[7], jet[8]};
+    return cross(times_power(u, -size_exponent(u)), times_power(v, -size_exponent(v)));
 }
 
 } // namespace nrb::face

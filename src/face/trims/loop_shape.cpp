@@ -4,27 +4,84 @@
 #include "base/numbers.h"
 #include "numeric/nested_rule.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nrb::face {
 
 namespace {
 
-// The integral of (u - o) dv along a piece, exact to rounding where it is polynomial.
-double area_of(const TrimPieces &pieces, const TrimPiece &piece, const Point2 &origin) {
-    if (piece.degree == 1 && !piece.weighted) {
-        return (piece.start[0] / 2 + piece.end[0] / 2 - origin[0]) * (piece.end[1] - piece.start[1]);
-    }
-    const int level = piece.weighted || piece.degree > 12 ? 4 : 2;
-    double sum = 0;
+// The integral of u dv over a part of a piece, u counted from its start, as far as a rule is off by an estimate. On pieces both parameters run
+// one way: it is between 0 and the product of their steps, whatever the weights.
+struct PartArea {
+    double area = 0, off = 0;
+};
+
+struct PiecePart {
+    Interval places;
+    Point2 start, end;
+
+    [[nodiscard]] double width() const noexcept { return end[0] - start[0]; }
+    [[nodiscard]] double height() const noexcept { return end[1] - start[1]; }
+    [[nodiscard]] double box() const noexcept { return width() * height(); }
+};
+
+PartArea by_rule(const TrimPieces &pieces, const TrimPiece &piece, const PiecePart &part, int level) {
+    std::array<double, decay_sums> sums{};
+    const double length = part.places.upper - part.places.lower;
+    const DecayRows &rows = decay_rows[static_cast<size_t>(level)];
     for (int i = 0; i < rule_size(level); ++i) {
-        const double weight = rule_weights(level)[i];
-        if (weight != 0) {
-            const TrimPieces::Jet jet = pieces.jet(piece, rule_places()[i]);
-            sum += weight * (jet.point[0] - origin[0]) * jet.derivative[1];
+        if (rows[0][i] != 0) {
+            const TrimPieces::Jet jet = pieces.jet(piece, part.places.lower + length * rule_places()[i]);
+            const double value = length * (jet.point[0] - part.start[0]) * jet.derivative[1];
+            for (size_t row = 0; row < rows.size(); ++row) {
+                sums[row] += rows[row][i] * value;
+            }
         }
     }
-    return sum;
+    const RuleDecay decay = decay_of(sums);
+    return {decay.integral, decay.error(std::abs(part.box()))};
+}
+
+// Halved where weights make the rule miss more than rounding does, as far as there is anything to miss.
+PartArea weighted_area(const TrimPieces &pieces, const TrimPiece &piece, const PiecePart &part, double room) {
+    constexpr int level = 3;
+    const double most = std::abs(part.box());
+    if (most <= room) {
+        return {part.box() / 2, most / 2};
+    }
+    const PartArea whole = by_rule(pieces, piece, part, level);
+    const double middle = part.places.lower / 2 + part.places.upper / 2;
+    if (whole.off <= room || !(part.places.lower < middle && middle < part.places.upper)) {
+        return {whole.area, std::min(whole.off, most)};
+    }
+    const Point2 at = pieces.point(piece, middle);
+    const PiecePart first{{part.places.lower, middle}, part.start, at},
+        second{{middle, part.places.upper}, at, part.end};
+    const PartArea a = weighted_area(pieces, piece, first, room),
+                   b = weighted_area(pieces, piece, second, room);
+    return {a.area + first.width() * second.height() + b.area, a.off + b.off};
+}
+
+// What places of a piece that are off by their noise make of its area.
+double rounding_of(const TrimPiece &piece) noexcept {
+    return piece.noise[0] * std::abs(piece.end[1] - piece.start[1]) +
+           piece.noise[1] * std::abs(piece.end[0] - piece.start[0]);
+}
+
+// The integral of (u - o) dv along a piece, exact to rounding where it is polynomial.
+PartArea area_of(const TrimPieces &pieces, const TrimPiece &piece, const Point2 &origin) {
+    const PiecePart all{{0, 1}, piece.start, piece.end};
+    const double beside = (piece.start[0] - origin[0]) * all.height();
+    if (piece.weighted) {
+        const PartArea own =
+            weighted_area(pieces, piece, all, 16 * eps * std::abs(all.box()) + rounding_of(piece));
+        return {beside + own.area, own.off};
+    }
+    const double own =
+        piece.degree == 1 ? all.box() / 2 : by_rule(pieces, piece, all, piece.degree > 12 ? 4 : 2).area;
+    return {beside + own, 0};
 }
 
 struct Ends {
@@ -35,10 +92,9 @@ struct Ends {
 
 void add_area(const TrimPieces &pieces, const TrimPiece &piece, int direction, const Point2 &origin,
               LoopShape &shape) {
-    const double area = area_of(pieces, piece, origin);
-    shape.area += direction * area;
-    shape.noise += 8 * eps * std::abs(area) + piece.noise[0] * std::abs(piece.end[1] - piece.start[1]) +
-                   piece.noise[1] * std::abs(piece.end[0] - piece.start[0]);
+    const PartArea own = area_of(pieces, piece, origin);
+    shape.area += direction * own.area;
+    shape.noise += own.off + 8 * eps * std::abs(own.area) + rounding_of(piece);
 }
 
 std::vector<LoopShape> loop_shapes(const TrimPieces &plane, size_t loops, const Covering &covering) {

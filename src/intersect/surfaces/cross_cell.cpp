@@ -163,6 +163,16 @@ bool CrossCell::has_pole() const noexcept {
     return any;
 }
 
+Interval CrossCell::hull_along(const Vector3 &vector) const noexcept {
+    Interval hull{infinity, -infinity};
+    for (size_t i = 0; i < records_.size(); i += width) {
+        const double x =
+            dot(vector, Vector3{records_[i], records_[i + 1], records_[i + 2]}) / records_[i + 3];
+        hull = {std::min(hull.lower, x), std::max(hull.upper, x)};
+    }
+    return hull;
+}
+
 void CrossCell::set_box() {
     box_.fill({infinity, -infinity});
     for (size_t i = 0; i < records_.size(); i += width) {

@@ -140,6 +140,8 @@ public:
     [[nodiscard]] double size() const noexcept { return size_; }
     // Of control points, which each halving makes a little larger.
     [[nodiscard]] double error() const noexcept { return error_; }
+    // Between which numbers the products of a vector and the control points lie.
+    [[nodiscard]] Interval hull_along(const Vector3 &vector) const noexcept;
 
     // What follows is of the wide part; false: its weights are not positive.
     bool prepare();

@@ -48,6 +48,28 @@ bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) n
     return std::abs(dot(of_a, of_b)) >= least_cosine * length(of_a) * length(of_b);
 }
 
+// Of parts in one plane: whether a line along one of the directions of either is between them.
+bool are_side_by_side(const CrossCell &a, const CrossCell &b) noexcept {
+    const double room = 4 * (a.error() + b.error());
+    count_work(200);
+    for (const CrossCell *cell : {&a, &b}) {
+        const Vector3 normal = cross(cell->slope(0), cell->slope(1));
+        for (const size_t axis : {size_t{0}, size_t{1}}) {
+            const Vector3 across = cross(normal, cell->slope(axis));
+            const double size = length(across);
+            if (!(size > 0)) {
+                continue;
+            }
+            const Vector3 unit = (1 / size) * across;
+            const Interval of_a = a.hull_along(unit), of_b = b.hull_along(unit);
+            if (of_a.lower - of_b.upper > room || of_b.lower - of_a.upper > room) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
@@ -221,7 +243,7 @@ void CrossSearch::look_at_flat(Pair pair) {
     const bool first =
         box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size();
     if (thickness <= thick * error) {
-        if (!pair.graph) {
+        if (!pair.graph && !are_side_by_side(*pair.a, *pair.b)) {
             add(pair);
         }
     } else if (thickness <= tolerance_ || are_along(pair)) {

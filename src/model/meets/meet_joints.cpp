@@ -5,6 +5,8 @@
 #include "base/watch.h"
 #include "eval/curve_point.h"
 #include "face/border_pieces.h"
+#include "face/meets/along_border.h"
+#include "face/meets/ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,14 +45,6 @@ Vector3 way_along(const face::Face &face, const Spline &curve, double param) {
     return point(param + step) - point(param - step);
 }
 
-Vector3 normal_of(const face::Face &face, const face::Point2 &at) {
-    const face::Point2 x = face.covering().in_domain(at);
-    std::array<double, 9> jet{};
-    eval::evaluate_points(*face.surface(), {}, 1, {x.data(), 1, 2, 2, 1}, {jet.data(), 1, 9, 9, 1});
-    const Vector3 u{jet[3], jet[4], jet[5]}, v{jet[6], jet[7], jet[8]};
-    return cross(times_power(u, -size_exponent(u)), times_power(v, -size_exponent(v)));
-}
-
 } // namespace
 
 MeetJoints::MeetJoints(PlacedFaces &a, PlacedFaces &b, const std::vector<FacePair> &of_branches,
@@ -73,7 +67,8 @@ void MeetJoints::run() {
 void MeetJoints::add_ends() {
     for (size_t i = 0; i < meet_.branches.size(); ++i) {
         for (const bool begins : {true, false}) {
-            if (meet_.branches[i].nodes[begins ? 0 : 1] >= 0) {
+            const MeetBranch &own = meet_.branches[i];
+            if (own.kind != intersect::BranchKind::edge && own.nodes[begins ? 0 : 1] >= 0) {
                 add_end(i, begins);
             }
         }
@@ -173,9 +168,10 @@ double MeetJoints::slope(const End &end) const {
     const face::Face &shape = *faces.shape(place_of(end, model));
     const Spline &curve =
         *shape.loops()[static_cast<size_t>(coedge.loop)][static_cast<size_t>(coedge.index)].curve;
+    const face::Face &other = *others.shape(place_of(end, 1 - model));
     const Vector3 way = way_along(shape, curve, border.param),
-                  normal = normal_of(*others.shape(place_of(end, 1 - model)),
-                                     model == 0 ? node.at_second : node.at);
+                  normal = face::surface_normal(
+                      *other.surface(), other.covering().in_domain(model == 0 ? node.at_second : node.at));
     const double far = length(way) * length(normal);
     return far > 0 ? std::abs(dot(way, normal)) / far : 0;
 }
@@ -193,10 +189,24 @@ void MeetJoints::join(const Match &match) {
 
 void MeetJoints::tell_open_ends() {
     for (size_t i = 0; i < ends_.size(); ++i) {
-        if (!joined_[i]) {
+        if (joined_[i]) {
+            continue;
+        }
+        if (is_common_edge(ends_[i].branch)) { // where both surfaces end there need be nothing else
+            meet_.branches[ends_[i].branch].kind = intersect::BranchKind::edge;
+        } else {
             meet_.nodes[static_cast<size_t>(node_of(ends_[i]))].kind = NodeKind::undecided;
         }
     }
+}
+
+// Whether a branch runs along the borders of both faces.
+bool MeetJoints::is_common_edge(size_t branch) const {
+    const MeetBranch &own = meet_.branches[branch];
+    const FacePair &faces = of_branches_[branch];
+    return own.kind == intersect::BranchKind::edge ||
+           (face::runs_along_border(*models_[0]->shape(faces.a), *own.on) &&
+            face::runs_along_border(*models_[1]->shape(faces.b), *own.on_second));
 }
 
 } // namespace nrb::model

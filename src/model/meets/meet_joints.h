@@ -20,7 +20,8 @@ struct FacePair {
 
 // Joins branches where they end on edges that two faces of a solid, or two that bound none, share: with what goes on there on the other
 // face and the same face of the other model, or, where edges of both models cross, on the other face of each. The nearest ones first, if
-// they are as near as tolerances and the angle between edge and surface allow. Ends on shared edges that nothing is found for are undecided.
+// they are as near as tolerances and the angle between edge and surface allow. Ends on shared edges that nothing is found for are undecided, but for those of
+// what runs along borders of both faces, which is an edge of both.
 class MeetJoints {
 public:
     // of_branches: the faces that each branch is on.
@@ -54,6 +55,7 @@ private:
     void add_matches();
     void join(const Match &match);
     void tell_open_ends();
+    [[nodiscard]] bool is_common_edge(size_t branch) const;
 
     [[nodiscard]] bool fit(const End &a, const End &b) const;
     [[nodiscard]] bool crosses(const End &a, const End &b, size_t model) const;

@@ -6,6 +6,7 @@
 #include "intersect/rays/box_tree.h"
 #include "model/meets/meet_joints.h"
 #include "model/meets/placed_faces.h"
+#include "model/meets/region_borders.h"
 #include "refine/forms/parametrization.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace nrb::model {
 
 namespace {
 
+using intersect::BranchKind;
 using intersect::Meet;
 using intersect::MeetBranch;
 using intersect::MeetNode;
@@ -36,15 +38,30 @@ std::vector<FacePair> near_pairs(const PlacedFaces &a, const PlacedFaces &b) {
     return pairs;
 }
 
-// Along the product of the outer normals.
+// Along the product of the outer normals; what bounds a region runs around it as in the domain, and edges of it as those there.
 void run_backwards(Meet &meet) {
     for (MeetBranch &branch : meet.branches) {
+        if (branch.kind == BranchKind::overlap || branch.kind == BranchKind::edge) {
+            continue;
+        }
         for (SplinePtr *curve : {&branch.space, &branch.on, &branch.on_second}) {
             *curve = refine::reverse(**curve, 0, false);
         }
         std::swap(branch.nodes[0], branch.nodes[1]);
     }
     std::ranges::reverse(meet.branches); // those of a way follow each other
+}
+
+// Regions of all pairs have levels one after the other.
+void number_regions(Meet &meet, int64_t &regions) {
+    int64_t own = 0;
+    const auto number = [&](auto &of) {
+        own = std::max(own, of.level);
+        of.level += of.level > 0 ? regions : 0;
+    };
+    std::ranges::for_each(meet.branches, number);
+    std::ranges::for_each(meet.nodes, number);
+    regions += own;
 }
 
 void name_faces(Meet &meet, const PlacedFaces::Place &a, const PlacedFaces::Place &b) {
@@ -70,6 +87,7 @@ Meet model_intersections(const Model &a, const Model &b, double tolerance) {
     found.of_two = true;
     std::vector<FacePair> of_branches;
     const std::vector<FacePair> pairs = near_pairs(on_a, on_b);
+    int64_t regions = 0;
     Steps steps(std::ssize(pairs));
     for (const FacePair &pair : pairs) {
         const PlacedFaces::Place &first = on_a.places()[pair.a], &second = on_b.places()[pair.b];
@@ -78,10 +96,12 @@ Meet model_intersections(const Model &a, const Model &b, double tolerance) {
             run_backwards(own);
         }
         name_faces(own, first, second);
+        number_regions(own, regions);
         of_branches.insert(of_branches.end(), own.branches.size(), pair);
         found.append(std::move(own));
         steps.next();
     }
+    drop_along_regions(tolerance, of_branches, found);
     MeetJoints(on_a, on_b, of_branches, tolerance, found).run();
     found.tidy_nodes();
     return with_loops(arranged(std::move(found)));

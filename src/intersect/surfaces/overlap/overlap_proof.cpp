@@ -15,6 +15,7 @@ namespace {
 constexpr int most_looks = 40000;           // at parts of the domain, and of pairs
 constexpr int most_looks_at_a_pair = 1024;  // that is left open
 constexpr double share_of_tolerance = 0.75; // the rest is for what is beyond sides of pieces by rounding
+constexpr double flat = 1.0 / 64;           // of the domain: one side of the box of a part of an edge
 constexpr PlaceBox whole{Interval{0, 1}, Interval{0, 1}};
 
 bool holds(const PlaceBox &a, const PlaceBox &b) noexcept {
@@ -50,20 +51,41 @@ OverlapProof::OverlapProof(const OverlapGround &ground, const OverlapEdges &edge
       left_(most_looks) {
     for (const OverlapEdge &edge : edges.edges) {
         for (const CrossSegment &segment : edge.segments) {
-            EdgePart part{{}, {}, {}};
-            for (size_t k = 0; k < 2; ++k) {
-                double lower = infinity, upper = -infinity;
-                for (const auto &at : segment.on[0]) {
-                    lower = std::min(lower, at[k]);
-                    upper = std::max(upper, at[k]);
-                }
-                part.on[k] = {lower, upper};
-                part.at[k] = Cubic(segment.on[0]).coordinate(k, 0.5);
-                part.beside[k] = Cubic(segment.on[1]).coordinate(k, 0.5);
-            }
-            edge_parts_.push_back(part);
+            add_edge_parts(segment.on);
         }
     }
+}
+
+// Boxes of parts that are flat, or small: what is in the box of a long oblique edge may be far from it.
+void OverlapProof::add_edge_parts(const SegmentPlaces &on) {
+    EdgePart part{{}, {}, {}};
+    double least = infinity;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto [lower, upper] = std::minmax({on[0][0][k], on[0][1][k], on[0][2][k], on[0][3][k]});
+        part.on[k] = {lower, upper};
+        part.at[k] = Cubic(on[0]).coordinate(k, 0.5);
+        part.beside[k] = Cubic(on[1]).coordinate(k, 0.5);
+        least = std::min(least, (upper - lower) / ground_.borders(0).period(k));
+    }
+    if (!(least > flat)) {
+        edge_parts_.push_back(part);
+        return;
+    }
+    SegmentPlaces first = on, second = on;
+    for (size_t i = 0; i < 2; ++i) {
+        for (size_t k = 0; k < 2; ++k) {
+            std::array<double, 4> halved{on[i][0][k], on[i][1][k], on[i][2][k], on[i][3][k]};
+            for (size_t level = 0; level < 4; ++level) {
+                first[i][level][k] = halved[0];
+                second[i][3 - level][k] = halved[3 - level];
+                for (size_t j = 0; j + level < 3; ++j) {
+                    halved[j] = halved[j] / 2 + halved[j + 1] / 2;
+                }
+            }
+        }
+    }
+    add_edge_parts(first);
+    add_edge_parts(second);
 }
 
 std::array<double, 2> OverlapProof::parameters(const Part &part, double u, double v) const noexcept {

@@ -38,6 +38,8 @@ private:
     };
     enum class State { done, halve, failed };
 
+    using SegmentPlaces = std::array<std::array<std::array<double, 2>, 4>, 2>; // control points on both
+    void add_edge_parts(const SegmentPlaces &on);
     [[nodiscard]] std::array<double, 2> parameters(const Part &part, double u, double v) const noexcept;
     State look(const Part &part);
     State look_along(const Part &part, const std::array<double, 2> &beside, bool inside);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Regions that two faces share as branches and nodes of a meet.
+#pragma once
+
+#include "face/meets/shared_curve.h"
+#include "intersect/levels/level_meet.h"
+
+#include <cstdint>
+
+namespace nrb::face {
+
+class RegionBranches {
+public:
+    RegionBranches(const SharedGrounds &grounds, intersect::Meet &meet) : grounds_(grounds), meet_(meet) {}
+
+    // Loops with the region to their left in the domain of the first surface, and the node of the region. Throws
+    // Status::not_converged where it is too thin for a place inside to be found, or there is none beside that.
+    void add_region(const SharedLoops &loops, int64_t level);
+    // What two borders have in common.
+    void add_edge(const SharedCurve &curve);
+
+private:
+    void add_loop(const SharedLoop &loop, int64_t level);
+    void add_branch(const SharedCurve &curve, intersect::BranchKind kind, int64_t level,
+                    const std::array<int64_t, 2> &nodes, int64_t loop);
+    int64_t add_node(const SharedCurve &curve, bool upper, intersect::NodeKind kind, int64_t level);
+    void join(const SharedCurve &before, const SharedCurve &after, int64_t level, int64_t &end,
+              int64_t &begin);
+    [[nodiscard]] bool goes_on_in_itself(const SharedCurve &curve) const;
+
+    const SharedGrounds &grounds_;
+    intersect::Meet &meet_;
+    int64_t loops_ = 0;
+};
+
+} // namespace nrb::face
