@@ -1,0 +1,194 @@
+// Branches of random pairs of surfaces are those that an oracle proves to be all, in whatever form the surfaces are given.
+#include "surface_pairs.h"
+
+#include "models.h"
+#include "real_files.h"
+
+namespace surface_pairs_test {
+
+using namespace surface_crossings;
+
+namespace {
+
+constexpr double tolerance = 1e-6;
+
+struct Pair {
+    SplineData a, b;
+};
+
+// Hilly patches over the square [-1, 1]^2.
+SplineData hills(Random &random) {
+    const std::array<int, 2> counts{random.whole(4, 7), random.whole(4, 7)};
+    return net_of(counts, {3, 3}, random.chance(50), [&](double u, double v) {
+        return std::array<double, 4>{2 * u - 1 + random.between(-0.15, 0.15),
+                                     2 * v - 1 + random.between(-0.15, 0.15), random.between(-0.6, 0.6),
+                                     random.between(0.5, 2)};
+    });
+}
+
+// One lies anyhow, or over the other one, so that they meet in loops, too.
+Pair random_pair(Random &random) {
+    Pair pair{hills(random), hills(random)};
+    if (random.chance(40)) {
+        move(pair.b, random_motion(random, 3, 1, 0.3));
+    } else {
+        pair.b = support::moved(pair.b, {0, 0, random.between(-0.3, 0.3)});
+    }
+    return pair;
+}
+
+struct Met {
+    Handle a, b;
+    Crossing crossing;
+    reference::PairCount count;
+};
+Met met_of(const Pair &pair) {
+    Met met{create(pair.a), create(pair.b), {}, reference::count_curves(pair.a, pair.b)};
+    met.crossing = crossing_of(met.a.get(), met.b.get(), tolerance);
+    return met;
+}
+
+TEST(SurfacePairsSizes, BranchesAreThoseOfTheOracle) {
+    Random random(0x5d01);
+    Tally tally;
+    const int64_t cases = scaled(100);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        const Pair pair = random_pair(random);
+        const Met met = met_of(pair);
+        compare(met.crossing, met.count, tally);
+        check_places(met.crossing, met.a.get(), met.count, 2 * tolerance);
+        check_curves(met.crossing, Ground(met.a.get(), pair.a), Ground(met.b.get(), pair.b));
+        check_nodes(met.crossing, 1e-9);
+    }
+    tally.tell();
+    EXPECT_GE(tally.compared, cases * 99 / 100);
+    EXPECT_GE(tally.open, cases);
+    EXPECT_GE(tally.closed, cases / 10);
+}
+
+Handle mapped(const nurbs *g, const std::array<double, 16> &matrix) {
+    return made([&](nurbs **out) { return nurbs_transform_projective(g, 3, matrix.data(), out); });
+}
+// The last rows are positive on all pairs.
+constexpr std::array<double, 16> affine{1.1, 0.3, -0.2, 0.7, 0, 0.8, 0.5, -0.4, 0.1, 0, 1.3, 0.2, 0, 0, 0, 1},
+    projective{1, 0.2, -0.1, 0.3, 0.1, 0.9, 0.2, -0.2, -0.1, 0.1, 1.2, 0.1, 0.2, -0.15, 0.1, 1.5};
+
+TEST(SurfacePairsSizes, FormsChangeNoCount) {
+    Random random(0x5d02);
+    std::array<Tally, 6> tallies;
+    const int64_t cases = scaled(40);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        const Pair pair = random_pair(random);
+        const Handle a = create(pair.a), b = create(pair.b);
+        const reference::PairCount count = reference::count_curves(pair.a, pair.b);
+        const auto expect = [&](size_t law, const nurbs *first, const nurbs *second) {
+            SCOPED_TRACE(law);
+            compare(crossing_of(first, second, tolerance), count, tallies[law]);
+        };
+        expect(0, b.get(), a.get());
+        const int32_t axis = random.whole(0, 1);
+        const Handle fine = made([&](nurbs **out) { return nurbs_refine_uniform(a.get(), axis, 3, out); });
+        expect(1, fine.get(), b.get());
+        expect(2, a.get(), elevate(b.get(), axis, 1).get());
+        expect(3, mapped(a.get(), affine).get(), mapped(b.get(), affine).get());
+        expect(4, mapped(a.get(), projective).get(), mapped(b.get(), projective).get());
+        const Handle same = made([&](nurbs **out) { return nurbs_clone(b.get(), out); });
+        expect(5, a.get(),
+               disguised(random, made([&](nurbs **out) { return nurbs_clone(same.get(), out); }), 2).get());
+    }
+    for (const Tally &tally : tallies) {
+        tally.tell();
+        EXPECT_GE(tally.compared, cases * 97 / 100);
+    }
+}
+
+// Within the unit ball about the origin.
+SplineData of_unit_size(SplineData data) {
+    const Point3 centre{data.points[0], data.points[1], data.points[2]};
+    data = support::moved(data, {-centre[0], -centre[1], -centre[2]});
+    return support::scaled(data, 1 / extent(data));
+}
+
+// What the oracle can take, and no more pieces than it can do in a fraction of a second.
+bool suits(const SplineData &data) {
+    if (data.axes() != 2 || data.dim != 3 || extent(data) == 0 || data.point_count() > 400) {
+        return false;
+    }
+    return std::ranges::all_of(data.degrees, [](int32_t p) { return p >= 1 && p <= 9; }) &&
+           std::ranges::all_of(data.weights, [](double w) { return w > 0; });
+}
+
+// The surfaces of faces, of which some models have a thousand that are much the same.
+void add_surfaces(const std::filesystem::path &file, std::vector<SplineData> &surfaces) {
+    nurbs_model *made_model = nullptr;
+    require_ok(nurbs_read_model_file(file.c_str(), nullptr, &made_model));
+    const models::Model model(made_model);
+    const int64_t faces = models::counts_of(model.get()).faces, step = 1 + faces / 40;
+    for (int64_t i = 0; i < faces; i += step) {
+        const models::Face face = models::face_of(model.get(), i);
+        const SplineData data =
+            read_back(made([&](nurbs **out) { return nurbs_face_surface(face.get(), out); }).get());
+        if (suits(data)) {
+            surfaces.push_back(of_unit_size(data));
+        }
+    }
+}
+
+class SurfacePairsFilesSizes : public RealFiles {};
+
+// Surfaces of files, one of which lies anyhow so that it has a point of the other one.
+TEST_F(SurfacePairsFilesSizes, BranchesAreThoseOfTheOracle) {
+    std::vector<SplineData> surfaces;
+    for (const RealSpline &spline : json()) {
+        if (suits(spline.data)) {
+            surfaces.push_back(of_unit_size(spline.data));
+        }
+    }
+    std::vector<std::filesystem::path> files;
+    for (const auto &entry : std::filesystem::directory_iterator(std::getenv("NURBS_TEST_DATA"))) {
+        const std::string kind = entry.path().extension();
+        if (kind == ".iges" || kind == ".igs" || kind == ".step" || kind == ".stp") {
+            files.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(files); // cases are the same everywhere
+    for (const auto &file : files) {
+        add_surfaces(file, surfaces);
+    }
+    ASSERT_FALSE(surfaces.empty());
+    const auto any = [&](Random &random) -> const SplineData & {
+        return surfaces[static_cast<size_t>(random.whole(0, static_cast<int>(surfaces.size()) - 1))];
+    };
+    const auto any_point = [](Random &random, const SplineData &data) {
+        const Handle g = create(data);
+        const auto at = [&](int axis) {
+            const double t = random.unit();
+            return (1 - t) * data.lower(axis) + t * data.upper(axis);
+        };
+        const double u = at(0), v = at(1);
+        return point_at(g.get(), u, v);
+    };
+    Random random(0x5d03);
+    Tally tally;
+    const int64_t cases = scaled(40);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        Pair pair{any(random), any(random)};
+        move(pair.b, random_motion(random, 3, 1, 0));
+        const Point3 to = any_point(random, pair.a), from = any_point(random, pair.b);
+        pair.b = support::moved(pair.b, {to[0] - from[0], to[1] - from[1], to[2] - from[2]});
+        const Met met = met_of(pair);
+        compare(met.crossing, met.count, tally);
+        check_curves(met.crossing, Ground(met.a.get(), pair.a), Ground(met.b.get(), pair.b), 100);
+    }
+    std::printf("%zu surfaces: ", surfaces.size());
+    tally.tell();
+    EXPECT_GE(tally.compared, cases * 3 / 4);
+    EXPECT_GE(tally.open, cases / 2);
+}
+
+} // namespace
+
+} // namespace surface_pairs_test
