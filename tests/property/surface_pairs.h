@@ -8,6 +8,31 @@
 
 namespace surface_crossings {
 
+struct Pair {
+    SplineData a, b;
+};
+
+// Hilly patches over the square [-1, 1]^2.
+inline SplineData hills(Random &random) {
+    const std::array<int, 2> counts{random.whole(4, 7), random.whole(4, 7)};
+    return net_of(counts, {3, 3}, random.chance(50), [&](double u, double v) {
+        return std::array<double, 4>{2 * u - 1 + random.between(-0.15, 0.15),
+                                     2 * v - 1 + random.between(-0.15, 0.15), random.between(-0.6, 0.6),
+                                     random.between(0.5, 2)};
+    });
+}
+
+// One lies anyhow, or over the other one, so that they meet in loops, too.
+inline Pair random_pair(Random &random) {
+    Pair pair{hills(random), hills(random)};
+    if (random.chance(40)) {
+        move(pair.b, random_motion(random, 3, 1, 0.3));
+    } else {
+        pair.b = support::moved(pair.b, {0, 0, random.between(-0.3, 0.3)});
+    }
+    return pair;
+}
+
 // What was compared, and what could not be.
 struct Tally {
     int64_t compared = 0, in_doubt = 0, incomplete = 0, touching = 0, open = 0, closed = 0;
@@ -66,6 +91,18 @@ inline void check_places(const Crossing &crossing, const nurbs *a, const referen
     }
     if (hits.size() == count.curves.size()) { // no way of more than one branch
         EXPECT_EQ(std::ranges::count(hits, 1), std::ssize(hits));
+    }
+}
+
+// What closes in a domain that does not ends where it begins, bit for bit.
+inline void check_closed_branches(const Crossing &crossing) {
+    for (size_t i = 0; i < crossing.found.branches.size(); ++i) {
+        const Branch &branch = crossing.found.branches[i];
+        if (branch.closed()) {
+            for (const nurbs *curve : {branch.space.get(), branch.on.get(), crossing.on_second[i].get()}) {
+                EXPECT_EQ(eval(curve, {branch.domain[0]}), eval(curve, {branch.domain[1]}));
+            }
+        }
     }
 }
 

@@ -12,31 +12,6 @@ namespace {
 
 constexpr double tolerance = 1e-6;
 
-struct Pair {
-    SplineData a, b;
-};
-
-// Hilly patches over the square [-1, 1]^2.
-SplineData hills(Random &random) {
-    const std::array<int, 2> counts{random.whole(4, 7), random.whole(4, 7)};
-    return net_of(counts, {3, 3}, random.chance(50), [&](double u, double v) {
-        return std::array<double, 4>{2 * u - 1 + random.between(-0.15, 0.15),
-                                     2 * v - 1 + random.between(-0.15, 0.15), random.between(-0.6, 0.6),
-                                     random.between(0.5, 2)};
-    });
-}
-
-// One lies anyhow, or over the other one, so that they meet in loops, too.
-Pair random_pair(Random &random) {
-    Pair pair{hills(random), hills(random)};
-    if (random.chance(40)) {
-        move(pair.b, random_motion(random, 3, 1, 0.3));
-    } else {
-        pair.b = support::moved(pair.b, {0, 0, random.between(-0.3, 0.3)});
-    }
-    return pair;
-}
-
 struct Met {
     Handle a, b;
     Crossing crossing;
@@ -60,6 +35,7 @@ TEST(SurfacePairsSizes, BranchesAreThoseOfTheOracle) {
         check_places(met.crossing, met.a.get(), met.count, 2 * tolerance);
         check_curves(met.crossing, Ground(met.a.get(), pair.a), Ground(met.b.get(), pair.b));
         check_nodes(met.crossing, 1e-9);
+        check_closed_branches(met.crossing);
     }
     tally.tell();
     EXPECT_GE(tally.compared, cases * 99 / 100);
