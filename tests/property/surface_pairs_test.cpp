@@ -4,6 +4,8 @@
 #include "models.h"
 #include "real_files.h"
 
+#include <numbers>
+
 namespace surface_pairs_test {
 
 using namespace surface_crossings;
@@ -78,6 +80,70 @@ TEST(SurfacePairsSizes, FormsChangeNoCount) {
         tally.tell();
         EXPECT_GE(tally.compared, cases * 97 / 100);
     }
+}
+
+// A bowl anywhere in space, of size 1 from corner to corner of its box, which a plane cuts in an ellipse that is so long and wide, about.
+Pair bowl_with_loop(Random &random, double diameter) {
+    const double a = random.between(0.8, 1.2), b = random.between(-0.5, 0.5), c = random.between(0.8, 1.2);
+    SplineData bowl = quadratic_graph(a, b, c, 0, random.between(-1.4, -0.6), random.between(-1.4, -0.6));
+    Point3 lower{HUGE_VAL, HUGE_VAL, HUGE_VAL}, upper{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < bowl.points.size(); ++i) {
+        lower[i % 3] = std::min(lower[i % 3], bowl.points[i]);
+        upper[i % 3] = std::max(upper[i % 3], bowl.points[i]);
+    }
+    const double size = distance(lower, upper), radius = diameter * size / 2;
+    SplineData plane = net_of({2, 2}, {1, 1}, false, [=](double u, double v) {
+        return std::array<double, 4>{4 * u - 2, 4 * v - 2, radius * radius, 1};
+    });
+    Pair pair{support::scaled(bowl, 1 / size), support::scaled(plane, 1 / size)};
+    const Motion motion = random_motion(random, 3, 1, 0.3);
+    move(pair.a, motion);
+    move(pair.b, motion);
+    return pair;
+}
+
+// Told to a tenth of what they are large.
+TEST(SurfacePairs, SmallLoopsAreFound) {
+    Random random(0x5d04);
+    const int64_t cases = scaled(10);
+    for (const double diameter : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 4e-6}) {
+        for (int64_t i = 0; i < cases; ++i) {
+            SCOPED_TRACE(testing::Message() << diameter << ", " << i);
+            const Pair pair = bowl_with_loop(random, diameter);
+            const Handle a = create(pair.a), b = create(pair.b);
+            const Crossing crossing = crossing_of(a.get(), b.get(), diameter / 10);
+            EXPECT_TRUE(crossing.found.complete);
+            EXPECT_TRUE(crossing.found.nodes.empty());
+            ASSERT_EQ(crossing.kinds, std::vector<int32_t>{NURBS_BRANCH_CROSSING});
+            EXPECT_EQ(crossing.closed_ways, 1);
+            EXPECT_LE(crossing.found.branches[0].deviation, diameter / 10);
+            EXPECT_NEAR(length_of(crossing.found) / diameter, std::numbers::pi, 0.6);
+            check_curves(crossing, Ground(a.get(), pair.a), Ground(b.get(), pair.b));
+        }
+    }
+}
+
+// Down to where double precision does not tell them from touches there is a loop, or a node that says that there may be one.
+TEST(SurfacePairs, SmallerLoopsAreNotLost) {
+    Random random(0x5d05);
+    const int64_t cases = scaled(10);
+    int64_t loops = 0;
+    for (const double diameter : {2e-6, 1e-6, 5e-7, 2e-7, 1e-7, 1e-8}) {
+        for (int64_t i = 0; i < cases; ++i) {
+            SCOPED_TRACE(testing::Message() << diameter << ", " << i);
+            const Pair pair = bowl_with_loop(random, diameter);
+            const Handle a = create(pair.a), b = create(pair.b);
+            const Crossing crossing = crossing_of(a.get(), b.get(), diameter / 10);
+            const bool loop = crossing.closed_ways == 1 && crossing.found.complete;
+            EXPECT_EQ(crossing.found.nodes.empty(), loop);
+            EXPECT_TRUE(loop ||
+                        crossing.found.count(NURBS_NODE_TOUCH) + crossing.found.count(NURBS_NODE_UNDECIDED) >
+                            0);
+            loops += loop ? 1 : 0;
+        }
+    }
+    EXPECT_GE(loops, cases);
+    EXPECT_LT(loops, 6 * cases);
 }
 
 // Within the unit ball about the origin.
