@@ -45,6 +45,21 @@ TEST(SurfacePairsSizes, BranchesAreThoseOfTheOracle) {
     EXPECT_GE(tally.closed, cases / 10);
 }
 
+// Curves that leave a surface where they all but run along a knot: parts beyond it have none of them, and are not left open.
+TEST(SurfacePairs, BesideKnots) {
+    Random random(0x5d01);
+    Tally tally;
+    for (int64_t i = 0; i <= 4986; ++i) {
+        const Pair pair = random_pair(random);
+        if (i == 3176 || i == 4986) {
+            const Met met = met_of(pair);
+            compare(met.crossing, met.count, tally);
+        }
+    }
+    EXPECT_EQ(tally.compared, 2);
+    EXPECT_EQ(tally.open, 7);
+}
+
 Handle mapped(const nurbs *g, const std::array<double, 16> &matrix) {
     return made([&](nurbs **out) { return nurbs_transform_projective(g, 3, matrix.data(), out); });
 }
