@@ -22,7 +22,7 @@ struct Hit {
     size_t vertex = 0;
 };
 
-struct Doubt {
+struct PairDoubt {
     const char *what;
 };
 
@@ -92,7 +92,7 @@ private:
     // Whether nothing is left to do in it.
     bool look_at(const Cell &cell) {
         if (++looks_ > most_cells) {
-            throw Doubt{"too many cells"};
+            throw PairDoubt{"too many cells"};
         }
         if (apart(cell)) {
             return true;
@@ -124,7 +124,7 @@ private:
                    divide_b = both || 2 * size_of(b) > size_of(a);
         if ((divide_a && a.depth == PatchTree::most_depth) ||
             (divide_b && b.depth == PatchTree::most_depth)) {
-            throw Doubt{"a cell that is not regular"};
+            throw PairDoubt{"a cell that is not regular"};
         }
         const auto is_at = [&](int which, size_t axis) {
             return axis > 1 || (which >> axis & 1) == (side.upper ? 1 : 0);
@@ -149,11 +149,11 @@ private:
         }
         std::ranges::sort(hits, {}, [&](const Hit &hit) { return hit.at[free]; });
         if (hits.size() % 2 != 0) {
-            throw Doubt{"an odd number of places"};
+            throw PairDoubt{"an odd number of places"};
         }
         for (size_t i = 0; i + 1 < hits.size(); ++i) {
             if (!(hits[i + 1].at[free] - hits[i].at[free] > hits[i].radius + hits[i + 1].radius)) {
-                throw Doubt{"places that are not told apart"};
+                throw PairDoubt{"places that are not told apart"};
             }
         }
         for (size_t i = 0; i < hits.size(); i += 2) {
@@ -176,7 +176,7 @@ private:
 
     bool look_at_side(const Cell &cell, const Side &side, std::vector<Hit> &hits) {
         if (++looks_ > most_cells) {
-            throw Doubt{"too many cells"};
+            throw PairDoubt{"too many cells"};
         }
         if (apart(cell)) {
             return true;
@@ -296,7 +296,7 @@ private:
             }
             if (hit.vertex == none) {
                 if (!is_end(hit) || tree(hit.axis).closes(static_cast<int>(hit.axis % 2))) {
-                    throw Doubt{"an arc that ends inside"};
+                    throw PairDoubt{"an arc that ends inside"};
                 }
                 hit.vertex = vertices_++;
             }
@@ -360,7 +360,7 @@ PairCount count_curves(const support::SplineData &a, const support::SplineData &
     PairCount count;
     try {
         count.curves = PairCounter(a, b).curves();
-    } catch (const Doubt &doubt) {
+    } catch (const PairDoubt &doubt) {
         count.doubt = doubt.what;
     }
     return count;
