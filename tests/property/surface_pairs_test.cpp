@@ -1,6 +1,7 @@
 // Branches of random pairs of surfaces are those that an oracle proves to be all, in whatever form the surfaces are given.
 #include "surface_pairs.h"
 
+#include "bench/meets/pairs.h"
 #include "models.h"
 #include "real_files.h"
 
@@ -159,6 +160,30 @@ TEST(SurfacePairs, SmallerLoopsAreNotLost) {
     }
     EXPECT_GE(loops, cases);
     EXPECT_LT(loops, 6 * cases);
+}
+
+SplineData data_of_net(const bench::meets::Net &net) {
+    SplineData data{{3, 3}, {net.counts[0], net.counts[1]}, {net.knots[0], net.knots[1]}, 3, {}, {}, 0};
+    for (const bench::meets::Point &x : net.points) {
+        data.points.insert(data.points.end(), x.begin(), x.end());
+    }
+    return data;
+}
+
+// Crests that are hardly above a surface: two curves side by side each, known ones, within the usual limit of work.
+TEST(SurfacePairs, SmallAngles) {
+    const bench::meets::Pair known = bench::meets::pair_of("near");
+    const Handle a = create(data_of_net(known.a)), b = create(data_of_net(known.b));
+    const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+    EXPECT_TRUE(crossing.found.complete);
+    EXPECT_EQ(crossing.open_ways, 6);
+    EXPECT_EQ(crossing.closed_ways, 0);
+    for (const Branch &branch : crossing.found.branches) {
+        EXPECT_LE(branch.deviation, tolerance);
+        for (const Point3 &x : points_on(branch.space.get(), branch.params(10))) {
+            EXPECT_LE(bench::meets::distance_from(known, x), branch.deviation + 1e-12);
+        }
+    }
 }
 
 // Within the unit ball about the origin.
