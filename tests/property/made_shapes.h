@@ -214,7 +214,9 @@ inline Handle disguised(Random &random, Handle g, int axes) {
                 nurbs_reparametrize_moebius(g.get(), axis, random.magnitude(0.1, 10), &out);
             become(status, out);
         }
-        if (random.chance(20) && nurbs_unclamp(g.get(), axis, 0, &out) == NURBS_OK) {
+        if (random.chance(20) &&
+            nurbs_unclamp(g.get(), axis, NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END, &out) ==
+                NURBS_OK) {
             g.reset(out);
         }
     }

@@ -145,14 +145,15 @@ private:
         const size_t from = cuts[name.first].from, to = cuts[name.second].to;
         return made_.emplace(name, Made{snapped(snapped(edge, false, from), true, to), key}).first->second;
     }
-    // Edges that come to a node end in one point, bit for bit.
+    // Edges that come to a node end in one point, bit for bit: curves end there to within the tolerance, which parameters need not
+    // tell evenly.
     [[nodiscard]] SplinePtr snapped(const SplinePtr &edge, bool upper, size_t node) {
         constexpr double rounding = 0x1p-40; // of the size of the surface
         auto [known, fresh] = points_.try_emplace(node);
         if (fresh) {
             known->second = point_at(*face_.surface(), covering_.in_domain(arrangement_.nodes()[node]));
         }
-        return with_end(edge, upper, known->second, rounding * covering_.extent());
+        return with_end(edge, upper, known->second, std::max(rounding * covering_.extent(), 4 * tolerance_));
     }
 
     const Face &face_;

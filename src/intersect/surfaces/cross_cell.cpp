@@ -20,7 +20,7 @@ constexpr double least_length = 0x1p-31;
 // Where parts are halved: what is symmetric meets in curves along middles, which would run along sides of boxes.
 constexpr double place_of_halves = 0.5 - 0x1.5p-6;
 // In parts of the length of derivatives: what bends less is halved where it is longer.
-constexpr double little_bend = 0.05;
+constexpr double little_bend = 0x1p-9;
 
 double dot3(const Vector3 &a, const double *b) noexcept {
     return a.x * b[0] + a.y * b[1] + a.z * b[2];

@@ -36,6 +36,9 @@ public:
         absorb();
         std::vector<CrossGroup> result;
         for (Ranges &group : groups_) {
+            if (holds_nothing(group)) {
+                continue;
+            }
             touch_.narrow(group);
             const bool touch = touch_.is_touch(group);
             if (touch) {
@@ -73,6 +76,18 @@ private:
             Members &members = groups.emplace_back();
             std::ranges::transform(group, std::back_inserter(members), [&](size_t i) { return of[i]; });
         }
+    }
+
+    // Arcs that were left open along borders of pieces may all be beyond them. With what sides of boxes are shifted by.
+    [[nodiscard]] bool holds_nothing(Ranges group) const {
+        for (size_t i = 0; i < 4; ++i) {
+            const Interval domain = domain_along(surfaces_[i / 2]->grid, i % 2);
+            const double room = 4 * shift_of_sides * (domain.upper - domain.lower);
+            group[i] = {group[i].lower - room, group[i].upper + room};
+            keep_in_domain(i, group[i]);
+        }
+        touch_.narrow(group);
+        return touch_.is_apart(group);
     }
 
     // As far as it is a touch, for what rounding leaves around one.

@@ -75,9 +75,24 @@ private:
             }
         }
         if (closed_) {
-            CrossSegment &first = segments_.front(), &last = segments_.back();
-            last.deviation += distance(last.space[3].data(), first.space[0].data(), 3);
-            last.space[3] = first.space[0];
+            close();
+        }
+    }
+    // The end is the beginning bit for bit, or periods away.
+    void close() noexcept {
+        CrossSegment next = segments_.front(), &last = segments_.back();
+        for (size_t c = 0; c < 4; ++c) {
+            const SurfaceBorders &borders = surfaces_[c / 2]->borders;
+            if (borders.is_periodic(c % 2)) {
+                const double period = borders.period(c % 2), end = last.on[c / 2][3][c % 2];
+                double &begin = next.on[c / 2][0][c % 2];
+                begin += period * std::round((end - begin) / period);
+            }
+        }
+        last.deviation += moved_by_joining(last, next);
+        last.space[3] = next.space[0];
+        for (size_t s = 0; s < 2; ++s) {
+            last.on[s][3] = next.on[s][0];
         }
     }
     [[nodiscard]] double in_domain(double at, size_t surface, size_t axis) const noexcept {
@@ -85,19 +100,24 @@ private:
         const int k = static_cast<int>(axis);
         return std::clamp(at, grid.break_at(k, 0), grid.break_at(k, grid.count(k)));
     }
-    // What that moves is of the order of rounding, but for what kinks make of shifted sides, and where surfaces all but touch.
-    static void begin_where_ends(const CrossSegment &before, CrossSegment &after) noexcept {
+    // Of the order of rounding, but for what kinks make of shifted sides, and where surfaces all but touch.
+    static double moved_by_joining(const CrossSegment &before, const CrossSegment &after) noexcept {
         double moved = distance(before.space[3].data(), after.space[0].data(), 3);
-        after.space[0] = before.space[3];
         for (size_t s = 0; s < 2; ++s) {
             double on = 0;
             for (size_t k = 0; k < 2; ++k) {
                 on += after.slopes[2 * s + k] * std::abs(before.on[s][3][k] - after.on[s][0][k]);
             }
             moved = std::max(moved, on);
+        }
+        return moved;
+    }
+    static void begin_where_ends(const CrossSegment &before, CrossSegment &after) noexcept {
+        after.deviation += moved_by_joining(before, after);
+        after.space[0] = before.space[3];
+        for (size_t s = 0; s < 2; ++s) {
             after.on[s][0] = before.on[s][3];
         }
-        after.deviation += moved;
     }
     static bool goes_on(const CrossSegment &a, const CrossSegment &b) noexcept {
         return is_smooth_joint(a.on[0], a.length, b.on[0], b.length) &&

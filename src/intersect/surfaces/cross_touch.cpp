@@ -132,6 +132,11 @@ void CrossTouch::narrow(std::array<Interval, 4> &ranges) const {
     }
 }
 
+bool CrossTouch::is_apart(const std::array<Interval, 4> &ranges) const {
+    Cells a, b;
+    return add_parts(0, ranges, a) && add_parts(1, ranges, b) && are_apart(a, b);
+}
+
 bool CrossTouch::is_touch(const std::array<Interval, 4> &ranges) const {
     Cells cells;
     if (!add_parts(0, ranges, cells) || !add_parts(1, ranges, cells) || !are_small(cells, small_part) ||

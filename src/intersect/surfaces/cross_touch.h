@@ -17,6 +17,8 @@ public:
 
     // Takes away from ranges what has no common points with the other surface in its own, as boxes tell.
     void narrow(std::array<Interval, 4> &ranges) const;
+    // Whether boxes tell that there are no common points in ranges: for certain, if so.
+    [[nodiscard]] bool is_apart(const std::array<Interval, 4> &ranges) const;
 
 private:
     using Cells = std::vector<CrossCell>;
