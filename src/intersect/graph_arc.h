@@ -286,6 +286,28 @@ private:
     std::vector<At> zeros_;
 };
 
+// How far places of an end differ that are found in different boxes: as much as rounding makes of them, which is a small part
+// of its bounds. On a side the coordinate k is off by what that makes of the way to the side.
+template <size_t N, class Chart>
+Place<N> noise_of_end(const Chart &chart, const GraphEnd<N> &end) noexcept {
+    constexpr double part = 0.25, most_noise = 0x1p-8;
+    const size_t k = chart.axis();
+    Place<N> noise{};
+    for (size_t i = 0; i < N; ++i) {
+        noise[i] = i == k ? 0 : part * chart.noise(i);
+    }
+    if (end.coordinate != k) {
+        const Interval &rise = chart.rise(end.coordinate);
+        noise[k] = std::min(noise[end.coordinate] / std::abs(rise.lower / 2 + rise.upper / 2), most_noise);
+        for (size_t i = 0; i < N; ++i) {
+            noise[i] +=
+                i == k ? 0
+                       : std::max(std::abs(chart.rise(i).lower), std::abs(chart.rise(i).upper)) * noise[k];
+        }
+    }
+    return noise;
+}
+
 // Newton's method for N - 1 equations with one coordinate as it is; step(z, out): the step there, false: there is none. noise: of
 // steps. What is left after a step is about its square, or what rounding leaves.
 template <size_t N, class Step>
