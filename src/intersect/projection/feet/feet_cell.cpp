@@ -28,6 +28,11 @@ double FeetCell::side(size_t axis, size_t end) const noexcept {
     return static_cast<double>(end) + shift / length_[axis];
 }
 
+double FeetCell::room(size_t axis, size_t end) const noexcept {
+    constexpr double most = widening / 2;
+    return is_border(axis, end) ? std::min(piece().rooms[axis][end] / length_[axis], most) : 0;
+}
+
 Interval FeetCell::range(size_t axis) const noexcept {
     const auto &[lower, upper] = piece().range[axis];
     const auto parameter = [&](double place) {

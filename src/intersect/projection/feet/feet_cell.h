@@ -30,6 +30,8 @@ public:
     [[nodiscard]] bool is_open(size_t axis, size_t end) const noexcept {
         return is_border(axis, end) && piece().open[axis][end];
     }
+    // How far beyond its box arcs along a side may be, as places in the part; 0 for sides inside of the piece.
+    [[nodiscard]] double room(size_t axis, size_t end) const noexcept;
     // Of parameters.
     [[nodiscard]] Interval range(size_t axis) const noexcept;
     [[nodiscard]] int halvings() const noexcept { return halvings_; }

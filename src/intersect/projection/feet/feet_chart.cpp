@@ -190,10 +190,11 @@ bool FeetChart::set_row(size_t i, FeetNets &nets) {
         if (k == axis_) {
             shifts_[i] = slopes;
         } else {
-            off += largest_of({slopes.lower - wanted, slopes.upper - wanted});
+            offs_[i][k] = 1.0001 * largest_of({slopes.lower - wanted, slopes.upper - wanted}) + 16 * eps;
+            off += offs_[i][k];
         }
     }
-    rho_[i] = 1.0001 * off + 32 * eps;
+    rho_[i] = off;
     return true;
 }
 
@@ -229,14 +230,16 @@ FeetChart::Verdict FeetChart::set(FeetNets &nets) {
     return Verdict::chart;
 }
 
+// (I - R)^-1 of two rows, of which no entry is negative as rho < 1.
 void FeetChart::set_rises() noexcept {
-    double fastest = 0;
-    for (const size_t i : others_of(axis_)) {
-        fastest = std::max(fastest, largest_of(shifts_[i]));
-    }
-    for (size_t i = 0; i < 3; ++i) {
-        const double room = i == axis_ ? 0 : 1.0001 * rho_[i] * fastest / (1 - most_rho_);
-        rises_[i] = {-shifts_[i].upper - room, -shifts_[i].lower + room};
+    const auto [i, j] = others_of(axis_);
+    const double a = 1 - offs_[i][i], b = offs_[i][j], c = offs_[j][i], d = 1 - offs_[j][j],
+                 by = 1.0001 / (a * d - b * c), x = largest_of(shifts_[i]), y = largest_of(shifts_[j]);
+    const double of_i = by * (d * x + b * y), of_j = by * (c * x + a * y);
+    rises_[axis_] = {1, 1};
+    for (const size_t row : {i, j}) {
+        const double room = 1.0001 * (offs_[row][i] * of_i + offs_[row][j] * of_j);
+        rises_[row] = {-shifts_[row].upper - room, -shifts_[row].lower + room};
     }
 }
 
@@ -256,7 +259,10 @@ FeetPlace FeetChart::largest_step(const std::array<double, 2> &bound) const noex
     return step;
 }
 
-size_t FeetChart::bent_axis(FeetNets &nets) const {
+// What is bent by two axes together is so by the longer one.
+size_t FeetChart::bent_axis(FeetNets &nets, const FeetPlace &lengths) const {
+    constexpr double little = 0.05;
+
     FeetPlace bends{};
     const auto add = [&](const std::vector<double> &net, double size) {
         const FeetPlace own = nets.bends_of(net);
@@ -273,6 +279,9 @@ size_t FeetChart::bent_axis(FeetNets &nets) const {
         for (size_t e = 0; e < 2; ++e) {
             add(nets.of(e), largest_of(FeetNets::range_of(nets.of(e))));
         }
+    }
+    for (size_t axis = 0; axis < 3; ++axis) {
+        bends[axis] = nets.degree(axis) == 0 ? -1 : (bends[axis] + little) * std::sqrt(lengths[axis]);
     }
     return static_cast<size_t>(std::ranges::max_element(bends) - bends.begin());
 }

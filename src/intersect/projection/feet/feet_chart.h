@@ -43,7 +43,8 @@ private:
 };
 
 // F(u, v, t), two equations in three unknowns. M is the inverse of the mean derivative without the column k for which the
-// determinant is largest; the rest is as for CrossChart.
+// determinant is largest; the rest is as for CrossChart, but for D: with the matrix R of the bounds of I - M F', whose row sums rho_i
+// are, two zeros are no farther apart than (I - R)^-1 max |S| |z_k - z0_k|.
 class FeetChart {
 public:
     enum class Verdict {
@@ -66,8 +67,8 @@ public:
     [[nodiscard]] FeetPlace step(const std::array<double, 2> &value) const noexcept;
     // Bounds of |M F|, of those of |F|.
     [[nodiscard]] FeetPlace largest_step(const std::array<double, 2> &bound) const noexcept;
-    // Along which axis it pays to halve.
-    [[nodiscard]] size_t bent_axis(FeetNets &nets) const;
+    // Along which axis it pays to halve a part with these lengths in space.
+    [[nodiscard]] size_t bent_axis(FeetNets &nets, const FeetPlace &lengths) const;
 
 private:
     bool set_rows(const FeetSlopes &slopes) noexcept;
@@ -77,6 +78,7 @@ private:
     size_t axis_ = 0;
     std::array<std::array<double, 2>, 3> rows_{};
     FeetPlace rho_{}, noise_{};
+    std::array<FeetPlace, 3> offs_{}; // |I - M F'|, by columns but k
     std::array<Interval, 3> shifts_{}, rises_{};
     double most_rho_ = infinity, most_noise_ = 0;
     int direction_ = 0;

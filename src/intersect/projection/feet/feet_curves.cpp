@@ -152,6 +152,7 @@ private:
 
 Meet feet_curves(const SplinePtr &curve, const Spline &surface, const Spline &lines, double tolerance) {
     const UsualLimit usual(usual_work(curve->point_count() + surface.point_count()));
+    const LimitedSearch limited;
     return FeetCurves(curve, surface, lines, tolerance).run();
 }
 

@@ -103,28 +103,76 @@ void FeetSearch::look(const Pair &pair) {
     switch (box_.chart.set(nets_)) {
     case FeetChart::Verdict::apart:
         return;
-    case FeetChart::Verdict::chart: {
-        GraphArc<FeetBox, 3>::Sides sides;
-        for (size_t i = 0; i < 3; ++i) {
-            sides[i] = {box_.side(i, 0), box_.side(i, 1)};
-        }
-        const GraphVerdict verdict = finder_.look(box_, sides, 1, 4 * shift_of_sides);
-        if (verdict == GraphVerdict::arc) {
-            count_work(work_of_a_kept_part);
-            found_.arcs.push_back({box_, finder_.ends()});
-        } else if (verdict == GraphVerdict::open) {
-            halve({pair.patch, pair.span, true}, box_.chart.bent_axis(nets_));
-        }
+    case FeetChart::Verdict::chart:
+        look_in_chart(pair);
         return;
-    }
     case FeetChart::Verdict::bent:
     case FeetChart::Verdict::flat:
         if (!is_hidden(pair) && !is_small(pair)) {
-            halve(pair, box_.chart.bent_axis(nets_));
+            halve(pair, box_.chart.bent_axis(nets_, lengths_of(pair)));
         } else if (!pair.graph) {
             add(pair);
         }
     }
+}
+
+void FeetSearch::look_in_chart(const Pair &pair) {
+    Sides sides;
+    for (size_t i = 0; i < 3; ++i) {
+        sides[i] = {box_.side(i, 0), box_.side(i, 1)};
+    }
+    finder_.forget();
+    GraphVerdict verdict = finder_.look(box_, sides, 1, 4 * shift_of_sides);
+    if (verdict == GraphVerdict::open) {
+        verdict = look_along_borders(sides);
+    }
+    if (verdict == GraphVerdict::arc) {
+        count_work(work_of_a_kept_part);
+        found_.arcs.push_back({box_, finder_.ends()});
+    } else if (verdict == GraphVerdict::open) {
+        halve({pair.patch, pair.span, true}, box_.chart.bent_axis(nets_, lengths_of(pair)));
+    }
+}
+
+// What runs along borders that are near is looked for farther out. It is on the side on which the zeros are that are known of it,
+// so that nothing is said of what is between there and them.
+GraphVerdict FeetSearch::look_along_borders(const Sides &sides) {
+    constexpr int parts = 8;
+    Sides moved = sides;
+    for (size_t i = 0; i < 3 && finder_.near(); ++i) {
+        const bool turns = i != box_.chart.axis() && GraphArc<FeetBox, 3>::changes(box_, i);
+        for (size_t end = 0; end < 2 && turns; ++end) {
+            const double room = box_.cell(i).room(i % 2, end);
+            moved[i][end] += std::abs((*finder_.near())[i] - sides[i][end]) >= room ? 0
+                             : end == 1                                            ? room
+                                                                                   : -room;
+        }
+    }
+    if (moved == sides) {
+        return GraphVerdict::open;
+    }
+    const GraphVerdict verdict = finder_.look(box_, moved, parts, 4 * shift_of_sides);
+    return verdict == GraphVerdict::arc ? on_own_side(sides, moved) : verdict;
+}
+
+GraphVerdict FeetSearch::on_own_side(const Sides &sides, const Sides &moved) const {
+    GraphVerdict verdict = GraphVerdict::arc;
+    for (size_t i = 0; i < 3; ++i) {
+        for (size_t end = 0; end < 2; ++end) {
+            if (moved[i][end] == sides[i][end]) {
+                continue;
+            }
+            const auto is_beyond = [&](const FeetPlace &z) {
+                return end == 1 ? z[i] > sides[i][1] : z[i] < sides[i][0];
+            };
+            const auto beyond = std::ranges::count_if(finder_.zeros(), is_beyond);
+            if (beyond == std::ssize(finder_.zeros())) {
+                return GraphVerdict::nothing;
+            }
+            verdict = beyond > 0 ? GraphVerdict::open : verdict;
+        }
+    }
+    return verdict;
 }
 
 // Whether both equations hold everywhere, as far as can be told, or one of them in a part that is not large.
@@ -139,6 +187,12 @@ bool FeetSearch::is_hidden(const Pair &pair) const noexcept {
 
 bool FeetSearch::is_small(const Pair &pair) const noexcept {
     return size_in_space(speeds_, ranges_of(pair)) <= small * tolerance_;
+}
+
+FeetPlace FeetSearch::lengths_of(const Pair &pair) noexcept {
+    return {pair.patch->net().speeds[0] * pair.patch->length(0),
+            pair.patch->net().speeds[1] * pair.patch->length(1),
+            pair.span->net().speeds[0] * pair.span->length(0)};
 }
 
 // Along an axis, or along another one if parts are too small.

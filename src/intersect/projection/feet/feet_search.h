@@ -38,6 +38,7 @@ public:
     [[nodiscard]] const std::array<double, 3> &speeds() const noexcept { return speeds_; }
 
 private:
+    using Sides = GraphArc<FeetBox, 3>::Sides;
     // graph: of a pair that had a chart; see CrossSearch.
     struct Pair {
         FeetCell *patch, *span;
@@ -47,11 +48,15 @@ private:
     void find_pieces();
     void look_at(FeetGroup &surface, FeetGroup &curve);
     void look(const Pair &pair);
+    void look_in_chart(const Pair &pair);
+    GraphVerdict look_along_borders(const Sides &sides);
+    [[nodiscard]] GraphVerdict on_own_side(const Sides &sides, const Sides &moved) const;
     void halve(const Pair &pair, size_t axis);
     bool settle_crowd();
     [[nodiscard]] bool is_hidden(const Pair &pair) const noexcept;
     void add(const Pair &pair);
     void add_unknown(const FeetGroup &surface, const FeetGroup &curve);
+    [[nodiscard]] static FeetPlace lengths_of(const Pair &pair) noexcept;
     [[nodiscard]] bool is_small(const Pair &pair) const noexcept;
     [[nodiscard]] std::array<Interval, 4> ranges_of(const Pair &pair) const noexcept;
 
