@@ -40,7 +40,8 @@ double least_weight_of(const pieces::BezierPiece &piece) noexcept {
 
 FeetFitter::FeetFitter(const std::array<int, 2> &surface, int curve, const pieces::Frame &frame,
                        double tolerance)
-    : frame_(frame), tolerance_(tolerance), samples_(2 * degree_of_samples(surface, curve)) {}
+    : frame_(frame), tolerance_(tolerance), samples_(2 * degree_of_samples(surface, curve)),
+      sampling_(16 * static_cast<size_t>(3 * std::max({surface[0], surface[1], curve}) + 1)) {}
 
 void FeetFitter::set_arc(const FeetArc &arc) {
     arc_ = &arc;
@@ -158,45 +159,19 @@ FeetPlace FeetFitter::off_at(const std::array<double, 2> &value) const noexcept 
     return off;
 }
 
-FeetFitter::Largest FeetFitter::largest_on(const CrossSegment &segment) const noexcept {
+LargestOfFeet FeetFitter::largest_on(const CrossSegment &segment) {
     const FeetBox &box = arc_->box;
     const FeetNet &net = box.patch->net(), &curve = box.span->net();
-    const pieces::BezierPiece &piece = net.piece->piece;
-    const size_t count = samples_.count();
-    Largest most;
-    for (size_t s = 0; s < count; ++s) {
-        std::array<double, 7> at{}; // u, v, t, h, and the point in space
-        for (size_t i = 0; i < 4; ++i) {
-            const double f = samples_.functions()[i * count + s];
-            for (size_t c = 0; c < 4; ++c) {
-                at[c] += f * segment.on[c / 2][i][c % 2];
-            }
-            for (size_t c = 0; c < 3; ++c) {
-                at[4 + c] += f * segment.space[i][c];
-            }
-        }
-        std::array<double, 8> value{};
-        std::array<double, 4> own{}, record{};
-        const std::array<double, 2> on = box.patch->in_piece({at[0], at[1]});
-        evaluate_net(net.degrees, 8, net.values.data(), on, value.data(), {nullptr, nullptr});
-        evaluate_net(curve.degrees, 4, curve.values.data(), box.span->in_piece({at[2], 0}), own.data(),
-                     {nullptr, nullptr});
-        evaluate_net(net.piece->degrees, 4, piece.record(0), on, record.data(), {nullptr, nullptr});
-        for (size_t e = 0; e < 2; ++e) {
-            most.value[e] = std::max(most.value[e], std::abs(dot(value.data() + 4 * e, own.data(), 4)));
-        }
-        double gap = 0, square = 0;
-        for (size_t c = 0; c < 3; ++c) {
-            const double off = at[4 + c] * record[3] - record[c],
-                         between = record[c] * own[0] + own[1 + c] * record[3];
-            gap += off * off;
-            square += between * between;
-        }
-        const double height = at[3] * record[3] * own[0];
-        most.gap = std::max(most.gap, gap);
-        most.distance = std::max(most.distance, std::abs(height * height - square));
+    auto on = segment.on;
+    for (size_t i = 0; i < 4; ++i) {
+        on[0][i] = box.patch->in_piece(on[0][i]);
+        on[1][i][0] = box.span->in_piece({on[1][i][0], 0})[0];
     }
-    return most;
+    count_work(static_cast<int64_t>(samples_.count() * (net.values.size() + 200)));
+    return largest_of_feet({{net.degrees, net.values.data()},
+                            {curve.degrees, curve.values.data()},
+                            {net.piece->degrees, net.piece->piece.record(0)}},
+                           samples_, on, segment.space, sampling_.data());
 }
 
 // See CrossFitter.
@@ -221,10 +196,9 @@ bool FeetFitter::limit_to_box(const CrossSegment &segment, FeetPlace &off) const
     return true;
 }
 
-void FeetFitter::set_deviation(CrossSegment &segment) const {
+void FeetFitter::set_deviation(CrossSegment &segment) {
     constexpr double between_samples = 1.01 * std::numbers::sqrt2;
-    Largest most = largest_on(segment);
-    count_work(static_cast<int64_t>(samples_.count() * (arc_->box.patch->net().values.size() + 200)));
+    LargestOfFeet most = largest_on(segment);
     for (double &value : most.value) {
         value *= between_samples;
     }

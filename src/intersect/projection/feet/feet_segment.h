@@ -2,7 +2,7 @@
 // Cubic pieces of curves along arcs of feet, each with a proven bound of its distance.
 #pragma once
 
-#include "intersect/levels/curves/sample_kernel.h"
+#include "intersect/projection/feet/feet_kernel.h"
 #include "intersect/projection/feet/feet_search.h"
 #include "intersect/surfaces/cross_segment.h"
 
@@ -30,11 +30,6 @@ private:
         std::array<double, 3> point{}, tangent{}, tangent_of_curve{};
         double distance = 0, slope = 0; // h
     };
-    // What is known of a segment at samples.
-    struct Largest {
-        std::array<double, 2> value{};
-        double gap = 0, distance = 0;
-    };
 
     void set_arc(const FeetArc &arc);
     [[nodiscard]] Node node(const FeetPlace &at) const noexcept;
@@ -44,8 +39,8 @@ private:
     // In places of the parts, and distances in the frame.
     [[nodiscard]] CrossSegment hermite(const Node &a, const Node &b) const noexcept;
     void stay_in_pieces(CrossSegment &segment) const noexcept;
-    void set_deviation(CrossSegment &segment) const;
-    [[nodiscard]] Largest largest_on(const CrossSegment &segment) const noexcept;
+    void set_deviation(CrossSegment &segment);
+    [[nodiscard]] LargestOfFeet largest_on(const CrossSegment &segment);
     [[nodiscard]] bool limit_to_box(const CrossSegment &segment, FeetPlace &off) const noexcept;
     // Of places at which |F| is no larger: how far they are off by coordinates.
     [[nodiscard]] FeetPlace off_at(const std::array<double, 2> &value) const noexcept;
@@ -55,6 +50,7 @@ private:
     const pieces::Frame &frame_;
     double tolerance_;
     CubicSamples samples_;
+    std::vector<double> sampling_;
     const FeetArc *arc_ = nullptr;
     std::array<double, 3> speeds_{}; // the largest ones, by places in the parts
     double rounding_ = 0;            // of points, with what parameters make of them
