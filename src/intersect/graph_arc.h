@@ -44,15 +44,21 @@ public:
     using Sides = std::array<std::array<double, 2>, N>;
 
     // parts: of the way between both ends, in as many places of which zeros are found. little: what is no longer, in parts of
-    // a piece, is nothing: arcs of the neighbours go on in each other there.
-    GraphVerdict look(const Box &box, const Sides &sides, int parts, double little) {
+    // a piece, is nothing: arcs of the neighbours go on in each other there. probes: places where a zero is looked for.
+    GraphVerdict look(const Box &box, const Sides &sides, int parts, double little, int probes) {
         box_ = &box;
         sides_ = sides;
-        if (const std::optional<GraphVerdict> known = find_inside(little)) {
+        has_ends_ = false;
+        if (const std::optional<GraphVerdict> known = find_inside(little, probes)) {
             return *known;
         }
         const double forward = box.chart.direction();
-        if (!find_end(-forward, ends_[0]) || !find_end(forward, ends_[1])) {
+        has_ends_ = find_end(-forward, ends_[0]) && find_end(forward, ends_[1]);
+        return look_between_ends(parts);
+    }
+    // The same again, where look() left it open.
+    GraphVerdict look_between_ends(int parts) {
+        if (!has_ends_) {
             return GraphVerdict::open;
         }
         set_zeros(parts);
@@ -77,7 +83,7 @@ public:
     }
 
 private:
-    static constexpr int most_probes = 3, most_sides = 6;
+    static constexpr int most_sides = 6;
     static constexpr double most_place = 1 + widening;
 
     // x of [first, last] where a + b (x - x0) >= 0.
@@ -104,9 +110,9 @@ private:
         return true;
     }
 
-    // Leaves of a range of coordinate k what zeros of the box may have, where M F is off by `off` times its noise; z0: any place,
-    // with the step M F there.
-    void clip(const At &z0, const At &step, double off, Interval &range) const {
+    // What is left below and above z0 of a range of coordinate k for zeros of the box, where M F is off by `off` times its noise; z0:
+    // any place, with the step M F there.
+    std::array<Interval, 2> clipped(const At &z0, const At &step, double off, const Interval &range) const {
         const auto &chart = box_->chart;
         const size_t k = chart.axis();
         double fastest = 0, farthest = 0;
@@ -133,29 +139,25 @@ private:
                 keep_where_positive(sides_[i][1] - at + room, h == 1 ? -low : -high, z0[k], halves[h]);
             }
         }
-        if (is_empty(halves[0]) || is_empty(halves[1])) {
-            range = is_empty(halves[0]) ? halves[1] : halves[0];
-        } else {
-            range = {halves[0].lower, halves[1].upper};
-        }
+        return halves;
     }
 
     // A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by, is
     // nothing: arcs of the neighbours go on in each other there. So is what is in the box by rounding alone of a curve that is known
     // beside it: bounds of rounding are far larger than what it makes of places, and boxes near touches have many sides that are no
     // farther away than these.
-    std::optional<GraphVerdict> find_inside(double little) {
+    std::optional<GraphVerdict> find_inside(double little, int probes) {
         const auto &chart = box_->chart;
         const size_t k = chart.axis();
+        const double least = little / box_->length(k);
         At z;
         z.fill(0.5);
-        Interval range{sides_[k][0], sides_[k][1]};
         At step = box_->middle_step();
-        clip(z, step, 1, range);
-        for (int probe = 0; probe < most_probes; ++probe) {
-            if (is_empty(range)) {
-                return GraphVerdict::nothing;
-            }
+        ranges_.clear();
+        add_ranges(clipped(z, step, 1, {sides_[k][0], sides_[k][1]}), true, 0);
+        for (int probe = 0; probe < probes && !ranges_.empty(); ++probe) {
+            const Interval range = ranges_.back();
+            ranges_.pop_back();
             const double next = range.lower / 2 + range.upper / 2;
             for (size_t i = 0; i < N; ++i) {
                 const double along = -(chart.shift(i).lower / 2 + chart.shift(i).upper / 2) * (next - z[k]);
@@ -171,10 +173,21 @@ private:
                 inside_ = z;
                 return std::nullopt;
             }
-            clip(z, step, found ? 0 : 1, range);
+            add_ranges(clipped(z, step, found ? 0 : 1, range), !found, least);
         }
-        return range.upper - range.lower > little / box_->length(k) ? GraphVerdict::open
-                                                                    : GraphVerdict::nothing;
+        return ranges_.empty() ? GraphVerdict::nothing : GraphVerdict::open;
+    }
+    // joined: what is between both is not excluded. What is no longer than the least is nothing.
+    void add_ranges(const std::array<Interval, 2> &halves, bool joined, double least) {
+        if (joined && !is_empty(halves[0]) && !is_empty(halves[1])) {
+            ranges_.push_back({halves[0].lower, halves[1].upper});
+            return;
+        }
+        for (const Interval &half : halves) {
+            if (!is_empty(half) && half.upper - half.lower > least) {
+                ranges_.push_back(half);
+            }
+        }
     }
 
     // Where the tangent at inside_ leaves the box; end is on that side. way: 1 or -1, of coordinate k.
@@ -282,7 +295,9 @@ private:
     Sides sides_{}; // of the box, or of what arcs along borders may be in
     At inside_{};   // a zero in the box
     std::optional<At> near_;
+    bool has_ends_ = false;
     std::array<End, 2> ends_{};
+    std::vector<Interval> ranges_; // of k, in which there may be zeros
     std::vector<At> zeros_;
 };
 

@@ -77,7 +77,8 @@ ArcFinder::Verdict ArcFinder::look(const CrossBox &box) {
 }
 
 ArcFinder::Verdict ArcFinder::look_between_sides(int parts) {
-    const Verdict verdict = graph_.look(*box_, sides_, parts, 4 * shift_of_sides);
+    constexpr int probes = 3;
+    const Verdict verdict = graph_.look(*box_, sides_, parts, 4 * shift_of_sides, probes);
     arc_.ends = graph_.ends();
     return verdict;
 }

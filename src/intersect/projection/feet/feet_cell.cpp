@@ -30,7 +30,8 @@ double FeetCell::side(size_t axis, size_t end) const noexcept {
 
 double FeetCell::room(size_t axis, size_t end) const noexcept {
     constexpr double most = widening / 2;
-    return is_border(axis, end) ? std::min(piece().rooms[axis][end] / length_[axis], most) : 0;
+    const double own = piece().poles[axis][end] ? room_along_sides : piece().rooms[axis][end];
+    return is_border(axis, end) ? std::min(own / length_[axis], most) : 0;
 }
 
 Interval FeetCell::range(size_t axis) const noexcept {

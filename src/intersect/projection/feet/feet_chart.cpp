@@ -57,7 +57,7 @@ void FeetNets::set(FeetCell &patch, FeetCell &span) {
                     own.others_error * (size.others + size.others_error) +
                     steps * eps * (own.first * size.first + own.others * size.others));
     }
-    count_work(static_cast<int64_t>(8 * n * layers));
+    count_work(static_cast<int64_t>(4 * n * layers));
 }
 
 const std::vector<double> &FeetNets::combined(double a, double b) {
@@ -206,14 +206,14 @@ FeetChart::Verdict FeetChart::set(FeetNets &nets) {
         }
     }
     has_rows_ = set_rows(nets.mean_slopes());
-    count_work(static_cast<int64_t>(12 * nets.of(0).size()));
+    count_work(static_cast<int64_t>(4 * nets.of(0).size()));
     if (!has_rows_) {
         return Verdict::flat;
     }
     most_rho_ = 0;
     most_noise_ = 0;
     for (const size_t i : others_of(axis_)) {
-        count_work(static_cast<int64_t>(6 * nets.of(0).size()));
+        count_work(static_cast<int64_t>(4 * nets.of(0).size()));
         if (!set_row(i, nets)) {
             return Verdict::apart;
         }
@@ -270,7 +270,7 @@ size_t FeetChart::bent_axis(FeetNets &nets, const FeetPlace &lengths) const {
             bends[axis] += own[axis] / size;
         }
     };
-    count_work(static_cast<int64_t>(40 * nets.of(0).size()));
+    count_work(static_cast<int64_t>(12 * nets.of(0).size()));
     if (has_rows_) {
         for (const size_t i : others_of(axis_)) {
             add(nets.combined(rows_[i][0], rows_[i][1]), 1);

@@ -15,6 +15,7 @@ namespace {
 constexpr size_t most_pairs = 1 << 16;
 constexpr size_t most_deep = 1024; // pairs of one size, many times halved, of which none has a chart
 constexpr int deep = 12, hidden_deep = 6;
+constexpr int parts = 8, probes = 16; // of GraphArc
 constexpr double hidden = 32;     // in parts of rounding: what is no larger is 0 as far as can be told
 constexpr double small = 1.0 / 16; // in parts of the tolerance: pairs around a place are one cluster
 
@@ -122,7 +123,10 @@ void FeetSearch::look_in_chart(const Pair &pair) {
         sides[i] = {box_.side(i, 0), box_.side(i, 1)};
     }
     finder_.forget();
-    GraphVerdict verdict = finder_.look(box_, sides, 1, 4 * shift_of_sides);
+    GraphVerdict verdict = finder_.look(box_, sides, 1, 4 * shift_of_sides, probes);
+    if (verdict == GraphVerdict::open) {
+        verdict = finder_.look_between_ends(parts);
+    }
     if (verdict == GraphVerdict::open) {
         verdict = look_along_borders(sides);
     }
@@ -137,7 +141,6 @@ void FeetSearch::look_in_chart(const Pair &pair) {
 // What runs along borders that are near is looked for farther out. It is on the side on which the zeros are that are known of it,
 // so that nothing is said of what is between there and them.
 GraphVerdict FeetSearch::look_along_borders(const Sides &sides) {
-    constexpr int parts = 8;
     Sides moved = sides;
     for (size_t i = 0; i < 3 && finder_.near(); ++i) {
         const bool turns = i != box_.chart.axis() && GraphArc<FeetBox, 3>::changes(box_, i);
@@ -151,7 +154,7 @@ GraphVerdict FeetSearch::look_along_borders(const Sides &sides) {
     if (moved == sides) {
         return GraphVerdict::open;
     }
-    const GraphVerdict verdict = finder_.look(box_, moved, parts, 4 * shift_of_sides);
+    const GraphVerdict verdict = finder_.look(box_, moved, parts, 4 * shift_of_sides, probes);
     return verdict == GraphVerdict::arc ? on_own_side(sides, moved) : verdict;
 }
 

@@ -15,6 +15,8 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_depth = 20, most_depth_without_proof = 6, most_segments = 4096;
+// h rises no faster than points move, but where normals turn over.
+constexpr double most_rise = 2;
 // Of F, which is 0 there as far as is known.
 constexpr std::array<double, 2> no_value{};
 
@@ -216,8 +218,10 @@ void FeetFitter::set_deviation(CrossSegment &segment) {
         const double h = place[1], side = segment.on[1][0][1];
         least = std::min(least, h * side > 0 ? std::abs(h) : 0);
     }
-    // | |d| - |h| | (|d| + |h|) is what is known.
-    const double of_distance = std::min(std::sqrt(squares), least > 0 ? squares / least : infinity);
+    // | |d| - |h| | (|d| + |h|) is what is known, unless h jumps.
+    const double of_distance = std::abs(segment.on[1][3][1] - segment.on[1][0][1]) > most_rise * segment.length
+                                   ? 0
+                                   : std::min(std::sqrt(squares), least > 0 ? squares / least : infinity);
     segment.deviation = std::max({gap + on_surface, on_surface + on_curve + of_distance}) + rounding_;
 }
 
