@@ -218,10 +218,12 @@ void FeetFitter::set_deviation(CrossSegment &segment) {
         const double h = place[1], side = segment.on[1][0][1];
         least = std::min(least, h * side > 0 ? std::abs(h) : 0);
     }
-    // | |d| - |h| | (|d| + |h|) is what is known, unless h jumps.
-    const double of_distance = std::abs(segment.on[1][3][1] - segment.on[1][0][1]) > most_rise * segment.length
-                                   ? 0
-                                   : std::min(std::sqrt(squares), least > 0 ? squares / least : infinity);
+    // | |d| - |h| | (|d| + |h|) is what is known, unless h jumps, in a segment that is as short as can be.
+    const double rise = std::abs(segment.on[1][3][1] - segment.on[1][0][1]);
+    const double of_distance = rise <= most_rise * segment.length
+                                   ? std::min(std::sqrt(squares), least > 0 ? squares / least : infinity)
+                               : segment.length > tolerance_ ? rise
+                                                             : 0;
     segment.deviation = std::max({gap + on_surface, on_surface + on_curve + of_distance}) + rounding_;
 }
 
