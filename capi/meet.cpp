@@ -85,8 +85,7 @@ ProjectionQuery projection_query(const nurbs *curve, const double *direction, do
         check_direction("direction", direction);
     }
     check_positive_tolerance(tolerance);
-    return {curve->spline,
-            direction == nullptr ? std::nullopt : std::optional(vector_of(direction, 3))};
+    return {curve->spline, direction == nullptr ? std::nullopt : std::optional(vector_of(direction, 3))};
 }
 
 } // namespace
@@ -175,9 +174,8 @@ nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve
         const face::Face &own = face_of(face);
         check_dimension(*own.surface(), 3, 3);
         const ProjectionQuery query = projection_query(curve, direction, tolerance);
-        give_meet(query.direction
-                      ? face::projected_along(query.curve, own, *query.direction, tolerance)
-                      : face::projected_normally(query.curve, own, tolerance),
+        give_meet(query.direction ? face::projected_along(query.curve, own, *query.direction, tolerance)
+                                  : face::projected_normally(query.curve, own, tolerance),
                   out);
     });
 }

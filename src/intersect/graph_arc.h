@@ -123,8 +123,8 @@ private:
             }
         }
         const double far = std::max(std::abs(range.lower - z0[k]), std::abs(range.upper - z0[k]));
-        const double reach = std::min(farthest, 1.0001 * (largest(step) + off * chart.noise() + fastest * far) /
-                                                    (1 - chart.rho()));
+        const double reach = std::min(
+            farthest, 1.0001 * (largest(step) + off * chart.noise() + fastest * far) / (1 - chart.rho()));
         std::array<Interval, 2> halves{Interval{range.lower, std::min(range.upper, z0[k])},
                                        Interval{std::max(range.lower, z0[k]), range.upper}};
         for (size_t h = 0; h < 2; ++h) {

@@ -85,8 +85,8 @@ double rounding_of(const Spline &curve, const Box3 &box, const Interval &range) 
 }
 
 SplinePtr lines_along(const SplinePtr &curve, const Vector3 &direction, const Interval &range) {
-    const SplinePtr ruled = build::ruled_homogeneous(moved(curve, direction, range.lower),
-                                                     moved(curve, direction, range.upper));
+    const SplinePtr ruled =
+        build::ruled_homogeneous(moved(curve, direction, range.lower), moved(curve, direction, range.upper));
     return refine::reparametrize(ruled, 1, range);
 }
 

@@ -83,7 +83,7 @@ CrossCell::CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &pla
         upper_[k] = places[k].upper;
         length_[k] = upper_[k] - lower_[k];
         apply_along(part_matrix(piece.degrees[k], lower_[k], upper_[k]), layers_along(k, piece.degrees),
-              k == 0 ? piece.piece.record(0) : half, k == 0 ? half : records_.data());
+                    k == 0 ? piece.piece.record(0) : half, k == 0 ? half : records_.data());
     }
     set_box();
 }
@@ -229,7 +229,7 @@ std::vector<double> CrossCell::derivatives(const std::vector<double> &records, s
     for (size_t k = 0; k < 2; ++k) {
         const double room = widening * length_[k];
         apply_along(part_matrix(degrees[k], lower_[k] - room, lower_[k] + length_[k] + room),
-              layers_along(k, degrees), values.data(), part.data());
+                    layers_along(k, degrees), values.data(), part.data());
         std::swap(values, part);
     }
     for (double *by = values.data(); by < values.data() + values.size(); by += width) {

@@ -337,16 +337,17 @@ FeetPlace FeetBox::tangent_at(const FeetPlace &z) const noexcept {
 bool FeetBox::solve(size_t fixed, FeetPlace &z) const {
     const auto [i, j] = others_of(fixed);
     const auto work = static_cast<int64_t>(4 * patch->net().values.size() + 100);
-    return newton_on_side(fixed, chart.noise(), z, [&, i = i, j = j](const FeetPlace &place, FeetPlace &step) {
-        count_work(work);
-        const Value value = at(place);
-        const auto &[f, g] = value.slopes;
-        const auto &[x, y] = value.difference;
-        const double determinant = f[i] * g[j] - f[j] * g[i];
-        step[i] = (g[j] * x - f[j] * y) / determinant;
-        step[j] = (f[i] * y - g[i] * x) / determinant;
-        return std::abs(determinant) > 0x1p-50 * std::hypot(f[i], g[i]) * std::hypot(f[j], g[j]);
-    });
+    return newton_on_side(
+        fixed, chart.noise(), z, [&, i = i, j = j](const FeetPlace &place, FeetPlace &step) {
+            count_work(work);
+            const Value value = at(place);
+            const auto &[f, g] = value.slopes;
+            const auto &[x, y] = value.difference;
+            const double determinant = f[i] * g[j] - f[j] * g[i];
+            step[i] = (g[j] * x - f[j] * y) / determinant;
+            step[j] = (f[i] * y - g[i] * x) / determinant;
+            return std::abs(determinant) > 0x1p-50 * std::hypot(f[i], g[i]) * std::hypot(f[j], g[j]);
+        });
 }
 
 } // namespace nrb::intersect

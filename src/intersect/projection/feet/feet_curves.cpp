@@ -35,8 +35,7 @@ public:
     FeetCurves(const SplinePtr &curve, const Spline &surface, const Spline &lines, double tolerance)
         : surface_(surface), lines_(lines), frame_(frame_of_both(curve.get(), &surface)),
           tolerance_(frame_.scaled(tolerance)), borders_(pieces::piece_grid_of(surface)),
-          line_borders_(pieces::piece_grid_of(lines)),
-          ground_(surface, frame_, borders_, side_shifts[0]),
+          line_borders_(pieces::piece_grid_of(lines)), ground_(surface, frame_, borders_, side_shifts[0]),
           of_lines_(lines, frame_, line_borders_, side_shifts[1]),
           search_(ground_, of_lines_, *curve, frame_),
           fitter_({surface.axis(0).degree(), surface.axis(1).degree()}, curve->axis(0).degree(), frame_,
@@ -46,9 +45,8 @@ public:
         const CrossSurface on_surface{ground_.grid, borders_}, on_lines{of_lines_.grid, line_borders_};
         find_parts();
         const FeetTouch touch(search_.speeds(), tolerance_);
-        CrossChains chains =
-            joined_chains(on_surface, on_lines, joined_arcs(),
-                          cross_groups(on_surface, on_lines, touch, found_.clusters));
+        CrossChains chains = joined_chains(on_surface, on_lines, joined_arcs(),
+                                           cross_groups(on_surface, on_lines, touch, found_.clusters));
         meet_.limited = meet_.limited || work_ended();
         meet_.of_two = true;
         meet_.periodic = {periodic_axes_of(surface_), periodic_axes_of(lines_)};
@@ -60,9 +58,9 @@ public:
             for (const size_t arc : chain.arcs) {
                 fitter_.fit(found_.arcs[arc], segments);
             }
-            meet_.branches.push_back(branch_along(
-                cross_curve(frame_, on_surface, on_lines, std::move(segments), chain.closed), chain.nodes,
-                chain.loop, BranchKind::crossing));
+            meet_.branches.push_back(
+                branch_along(cross_curve(frame_, on_surface, on_lines, std::move(segments), chain.closed),
+                             chain.nodes, chain.loop, BranchKind::crossing));
         }
         return std::move(meet_);
     }

@@ -16,7 +16,7 @@ struct FeetGroup {
     std::array<int64_t, 2> first{}, last{};
     RangesInSpace points{};                  // infinite: weights of a piece have no certain sign
     std::array<RangesInSpace, 2> tangents{}; // T_k of a surface
-    std::array<double, 2> speeds{};           // the largest derivatives of points, by parameters
+    std::array<double, 2> speeds{};          // the largest derivatives of points, by parameters
     std::array<int64_t, 2> halves{-1, -1};
     FeetCell *cell = nullptr; // of a group of one piece, when it was asked for
 

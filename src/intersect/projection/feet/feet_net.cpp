@@ -80,9 +80,8 @@ std::optional<std::array<RoundedPolynomial, 2>> tangents_of(const CrossPiece &pi
     for (int k = 0; k < 2; ++k) {
         RoundedPolynomial &tangent = tangents[static_cast<size_t>(k)];
         const RoundedPolynomial slope = derivative(points, 1 + k);
-        tangent = weighted
-                      ? coarse_times(slope, weight) - coarse_times(points, derivative(weight, 1 + k))
-                      : scaled(slope, weight.values.front());
+        tangent = weighted ? coarse_times(slope, weight) - coarse_times(points, derivative(weight, 1 + k))
+                           : scaled(slope, weight.values.front());
         if (!divide_sides(tangent)) {
             return std::nullopt;
         }
@@ -102,20 +101,16 @@ std::optional<FeetNet> feet_net_of(const CrossPiece &piece) {
     for (size_t k = 0; k < 2; ++k) {
         const RoundedPolynomial &tangent = (*tangents)[k];
         parts[2 * k] = coarse_dot(points, tangent);
-        parts[2 * k + 1] =
-            weighted ? coarse_times(tangent, weight) : scaled(tangent, weight.values.front());
+        parts[2 * k + 1] = weighted ? coarse_times(tangent, weight) : scaled(tangent, weight.values.front());
     }
     for (const RoundedPolynomial &part : parts) {
         for (size_t k = 0; k < max_axes; ++k) {
             shape.degrees[k] = std::max(shape.degrees[k], part.shape.degrees[k]);
         }
     }
-    FeetNet net{&piece,
-                {shape.degrees[1], shape.degrees[2]},
-                most_width,
-                {},
-                {},
-                {largest_speed(piece.piece, 0), largest_speed(piece.piece, 1)}};
+    FeetNet net{&piece,     {shape.degrees[1], shape.degrees[2]},
+                most_width, {},
+                {},         {largest_speed(piece.piece, 0), largest_speed(piece.piece, 1)}};
     for (RoundedPolynomial &part : parts) {
         shape.width = part.shape.width;
         part = coarse_raised(part, shape);

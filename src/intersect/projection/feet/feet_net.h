@@ -19,7 +19,8 @@ namespace nrb::intersect {
 // Coefficients [degrees[0] + 1][degrees[1] + 1][width] of a piece. Of a surface width is 8: A . T_0, w T_0, A . T_1, w T_1; of a
 // curve it is 4: W, -B, and degrees[1] is 0.
 struct FeetNet {
-    const CrossPiece *piece = nullptr; // of a curve one of lines through it, of which axis 0 is that of the curve
+    const CrossPiece *piece =
+        nullptr; // of a curve one of lines through it, of which axis 0 is that of the curve
     std::array<int, 2> degrees{};
     size_t width = 0;
     std::vector<double> values;

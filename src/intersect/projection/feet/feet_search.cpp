@@ -16,8 +16,8 @@ constexpr size_t most_pairs = 1 << 16;
 constexpr size_t most_deep = 1024; // pairs of one size, many times halved, of which none has a chart
 constexpr int deep = 12, hidden_deep = 6;
 constexpr int parts = 8, probes = 16; // of GraphArc
-constexpr double hidden = 32;     // in parts of rounding: what is no larger is 0 as far as can be told
-constexpr double small = 1.0 / 16; // in parts of the tolerance: pairs around a place are one cluster
+constexpr double hidden = 32;         // in parts of rounding: what is no larger is 0 as far as can be told
+constexpr double small = 1.0 / 16;    // in parts of the tolerance: pairs around a place are one cluster
 
 int halvings_of(const FeetCell &patch, const FeetCell &span) noexcept {
     return patch.halvings() + span.halvings();
@@ -32,8 +32,9 @@ double size_in_space(const std::array<double, 3> &speeds, const std::array<Inter
 
 FeetSearch::FeetSearch(CrossGround &surface, CrossGround &lines, const Spline &curve,
                        const pieces::Frame &frame)
-    : grid_(surface.grid), lines_(lines.grid), patches_(surface), spans_(lines, curve, frame),
-      speeds_{patches_.root().speeds[0], patches_.root().speeds[1], spans_.root().speeds[0]} {}
+    : grid_(surface.grid), lines_(lines.grid), patches_(surface),
+      spans_(lines, curve, frame), speeds_{patches_.root().speeds[0], patches_.root().speeds[1],
+                                           spans_.root().speeds[0]} {}
 
 FeetParts FeetSearch::run(double tolerance) {
     tolerance_ = tolerance;
@@ -147,8 +148,8 @@ GraphVerdict FeetSearch::look_along_borders(const Sides &sides) {
         for (size_t end = 0; end < 2 && turns; ++end) {
             const double room = box_.cell(i).room(i % 2, end);
             moved[i][end] += std::abs((*finder_.near())[i] - sides[i][end]) >= room ? 0
-                             : end == 1                                            ? room
-                                                                                   : -room;
+                             : end == 1                                             ? room
+                                                                                    : -room;
         }
     }
     if (moved == sides) {
@@ -231,8 +232,7 @@ void FeetSearch::add_unknown(const FeetGroup &surface, const FeetGroup &curve) {
         const FeetGroup &group = i < 2 ? surface : curve;
         const pieces::PieceGrid &grid = i < 2 ? grid_ : lines_;
         const int axis = static_cast<int>(i % 2);
-        cluster.ranges[i] = {grid.break_at(axis, group.first[i % 2]),
-                             grid.break_at(axis, group.last[i % 2])};
+        cluster.ranges[i] = {grid.break_at(axis, group.first[i % 2]), grid.break_at(axis, group.last[i % 2])};
     }
 }
 
