@@ -6069,7 +6069,7 @@ NURBS_API nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nu
 
 /** \brief nurbs_face_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
  * \param[in] face,curve as for nurbs_face_project_curve().
- * \param[in] direction [3] or NULL: as for nurbs_surface_project_curve().
+ * \param[in] direction [3] or NULL: as for nurbs_face_project_curve().
  * \param[in] tolerance as for nurbs_face_project_curve().
  * \param[in] call or NULL: the wishes of the caller.
  * \param[out] out the new meet.

@@ -2,6 +2,7 @@
 """Distances, measures, boxes and features in Python: one known value of each."""
 
 import copy
+import math
 import pickle
 import unittest
 from math import inf, nan, pi, sqrt
@@ -345,7 +346,7 @@ class Sections(unittest.TestCase):
         self.assertEqual((feet.counts.complete, feet.counts.branches >= 2), (True, True))
         lines, space = feet.branch_second(0), feet.branch(0).space
         t, h = lines(lines.domain[0][1])
-        near(numpy.linalg.norm(space(space.domain[0][1]) - line(t)), abs(h), by=1e-8)
+        near(math.dist(space(space.domain[0][1]), line(t)), abs(h), by=1e-8)
         face = nurbs.Face.create(nurbs.plane([1, 0, 0], [0, 1, 0]), [1], [nurbs.circle(0.25, center=[0.5, 0.5])])
         inside = face.project_curve(nurbs.line([-1, 0.5, 3], [1, 0.5, 3]), [0, 0, 1], 1e-9)
         near(sorted(inside.nodes_second.params[:, 0]), [0.625, 0.875], by=1e-9)

@@ -3,7 +3,7 @@
 
 #include "base/watch.h"
 #include "intersect/levels/fields/piece_field.h"
-#include "intersect/projection/feet/feet_curves.h"
+#include "intersect/projection/feet_curves.h"
 #include "intersect/projection/projecting_lines.h"
 #include "intersect/projection/sheets.h"
 #include "intersect/surfaces/surface_surface.h"

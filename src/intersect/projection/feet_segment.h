@@ -3,7 +3,7 @@
 #pragma once
 
 #include "intersect/projection/feet/feet_kernel.h"
-#include "intersect/projection/feet/feet_search.h"
+#include "intersect/projection/feet_search.h"
 #include "intersect/surfaces/cross_segment.h"
 
 #include <vector>

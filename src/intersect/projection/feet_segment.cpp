@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "intersect/projection/feet/feet_segment.h"
+#include "intersect/projection/feet_segment.h"
 
 #include "base/numbers.h"
 #include "base/watch.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "intersect/projection/feet/feet_curves.h"
+#include "intersect/projection/feet_curves.h"
 
 #include "base/watch.h"
-#include "intersect/projection/feet/feet_segment.h"
+#include "intersect/projection/feet_segment.h"
 #include "intersect/surfaces/cross_chains.h"
 #include "intersect/surfaces/cross_curve.h"
 #include "intersect/surfaces/surface_surface.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "intersect/projection/feet/feet_chart.h"
-#include "intersect/projection/feet/feet_groups.h"
+#include "intersect/projection/feet_groups.h"
 #include "intersect/surfaces/cross_search.h"
 
 #include <vector>

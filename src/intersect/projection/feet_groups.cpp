@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "intersect/projection/feet/feet_groups.h"
+#include "intersect/projection/feet_groups.h"
 
 #include "base/numbers.h"
 #include "base/watch.h"
