@@ -35,9 +35,10 @@ double FeetCell::room(size_t axis, size_t end) const noexcept {
 }
 
 Interval FeetCell::range(size_t axis) const noexcept {
-    const auto &[lower, upper] = piece().range[axis];
+    const Interval &all = piece().range[axis];
     const auto parameter = [&](double place) {
-        return place == 1 ? upper : std::clamp(lower * (1 - place) + upper * place, lower, upper);
+        return place == 1 ? all.upper
+                          : std::clamp(all.lower * (1 - place) + all.upper * place, all.lower, all.upper);
     };
     return {parameter(lower_[axis]), parameter(upper_[axis])};
 }
