@@ -13,6 +13,9 @@ namespace nrb::intersect {
 // Polynomials go on beyond their pieces. What is proven of a part is proven of this much more of it on all sides, in parts
 // of its length.
 constexpr double widening = 1.0 / 8;
+// Where parts are halved: what is symmetric meets in curves along middles, which would run along sides of boxes.
+constexpr double place_of_halves = 0.5 - 0x1.5p-6;
+constexpr double least_length_of_parts = 0x1p-31; // in parts of pieces
 
 // Of Bernstein coefficients [degree + 1] those between two places: [degree + 1][degree + 1].
 inline std::vector<double> part_matrix(int degree, double lower, double upper) {

@@ -15,9 +15,6 @@ namespace nrb::intersect {
 namespace {
 
 constexpr size_t width = 4; // x w, y w, z w, w
-constexpr double least_length = 0x1p-31;
-// Where parts are halved: what is symmetric meets in curves along middles, which would run along sides of boxes.
-constexpr double place_of_halves = 0.5 - 0x1.5p-6;
 // In parts of the length of derivatives: what bends less is halved where it is longer.
 constexpr double little_bend = 0.05;
 
@@ -326,7 +323,7 @@ bool CrossCell::split(std::deque<CrossCell> &all) {
         return true;
     }
     const size_t axis = axis_of_halves();
-    if (piece_->degrees[axis] == 0 || length_[axis] <= least_length) {
+    if (piece_->degrees[axis] == 0 || length_[axis] <= least_length_of_parts) {
         return false;
     }
     const AxisLayers layers = layers_along(axis, piece_->degrees);

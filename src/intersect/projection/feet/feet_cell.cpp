@@ -11,10 +11,6 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double least_length = 0x1p-31;
-// Where parts are halved: see CrossCell.
-constexpr double place_of_halves = 0.5 - 0x1.5p-6;
-
 AxisLayers layers_along(size_t axis, const FeetNet &net) noexcept {
     const auto wide = static_cast<int64_t>(net.width);
     return axis == 0 ? AxisLayers{1, net.degrees[0], (net.degrees[1] + 1) * wide}
@@ -84,7 +80,7 @@ bool FeetCell::split(size_t axis, std::deque<FeetCell> &all) {
     if (net_->degrees[axis] == 0) {
         axis = 1 - axis;
     }
-    if (net_->degrees[axis] == 0 || length_[axis] <= least_length) {
+    if (net_->degrees[axis] == 0 || length_[axis] <= least_length_of_parts) {
         return false;
     }
     const double between = lower_[axis] + place_of_halves * length_[axis];

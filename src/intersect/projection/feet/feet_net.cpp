@@ -66,6 +66,30 @@ Largest largest_of(const RoundedPolynomial &a) noexcept {
     return most;
 }
 
+// A . T_k and w T_k of both axes, of common degrees.
+std::array<RoundedPolynomial, 4> parts_of(const CrossPiece &piece,
+                                          const std::array<RoundedPolynomial, 2> &tangents) {
+    const RoundedPolynomial points = part_of(piece.piece, 0, 3), weight = part_of(piece.piece, 3, 1);
+    const bool weighted = !is_constant(weight);
+    std::array<RoundedPolynomial, 4> parts;
+    BernsteinShape shape;
+    for (size_t k = 0; k < 2; ++k) {
+        parts[2 * k] = coarse_dot(points, tangents[k]);
+        parts[2 * k + 1] =
+            weighted ? coarse_times(tangents[k], weight) : scaled(tangents[k], weight.values.front());
+    }
+    for (const RoundedPolynomial &part : parts) {
+        for (size_t k = 0; k < max_axes; ++k) {
+            shape.degrees[k] = std::max(shape.degrees[k], part.shape.degrees[k]);
+        }
+    }
+    for (RoundedPolynomial &part : parts) {
+        shape.width = part.shape.width;
+        part = coarse_raised(part, shape);
+    }
+    return parts;
+}
+
 FeetNet::Size size_of(const RoundedPolynomial &first, const RoundedPolynomial &others) noexcept {
     const Largest one = largest_of(first), three = largest_of(others);
     return {one.value, three.value, one.error, three.error};
@@ -94,37 +118,21 @@ std::optional<FeetNet> feet_net_of(const CrossPiece &piece) {
     if (!tangents) {
         return std::nullopt;
     }
-    const RoundedPolynomial points = part_of(piece.piece, 0, 3), weight = part_of(piece.piece, 3, 1);
-    const bool weighted = !is_constant(weight);
-    std::array<RoundedPolynomial, 4> parts;
-    BernsteinShape shape;
-    for (size_t k = 0; k < 2; ++k) {
-        const RoundedPolynomial &tangent = (*tangents)[k];
-        parts[2 * k] = coarse_dot(points, tangent);
-        parts[2 * k + 1] = weighted ? coarse_times(tangent, weight) : scaled(tangent, weight.values.front());
-    }
-    for (const RoundedPolynomial &part : parts) {
-        for (size_t k = 0; k < max_axes; ++k) {
-            shape.degrees[k] = std::max(shape.degrees[k], part.shape.degrees[k]);
-        }
-    }
-    FeetNet net{&piece,     {shape.degrees[1], shape.degrees[2]},
-                most_width, {},
-                {},         {largest_speed(piece.piece, 0), largest_speed(piece.piece, 1)}};
-    for (RoundedPolynomial &part : parts) {
-        shape.width = part.shape.width;
-        part = coarse_raised(part, shape);
-    }
+    const std::array<RoundedPolynomial, 4> parts = parts_of(piece, *tangents);
+    const std::array<int, max_axes> &degrees = parts[0].shape.degrees;
+    FeetNet net{&piece,
+                {degrees[1], degrees[2]},
+                most_width,
+                {},
+                {size_of(parts[0], parts[1]), size_of(parts[2], parts[3])},
+                {largest_speed(piece.piece, 0), largest_speed(piece.piece, 1)}};
     for (size_t i = 0; i < parts[0].values.size(); ++i) {
-        for (size_t k = 0; k < 2; ++k) {
-            net.values.push_back(parts[2 * k].values[i]);
-            for (size_t c = 0; c < 3; ++c) {
-                net.values.push_back(parts[2 * k + 1].values[3 * i + c]);
+        for (const RoundedPolynomial &part : parts) {
+            const auto width = static_cast<size_t>(part.shape.width);
+            for (size_t c = 0; c < width; ++c) {
+                net.values.push_back(part.values[width * i + c]);
             }
         }
-    }
-    for (size_t k = 0; k < 2; ++k) {
-        net.sizes[k] = size_of(parts[2 * k], parts[2 * k + 1]);
     }
     return net;
 }
