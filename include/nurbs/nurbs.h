@@ -6022,8 +6022,9 @@ NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const 
  *   there. Turns of t along no more of the curve, across d, than 4 deviations of the branch are none.
  * - TOUCH, of feet: branches cross or end in a part that is no larger than the tolerance, on the surface and on the curve.
  * - UNDECIDED: where it is left open what there is: the surface touches the lines along a curve, or holds one of them; feet fill
- *   a region, as for a curve along the axis of a cylinder or through the centre of a sphere; branches meet at a pole; a
- *   derivative vanishes; or the limit of work came first.
+ *   a region, as for a curve along the axis of a cylinder or through the centre of a sphere; branches of feet meet, at a pole or
+ *   in a plane of symmetry, in a part that rounding makes larger than the tolerance; a derivative vanishes; or the limit of
+ *   work came first.
  *
  * Outside of these the branches are all there is, to within their deviations. Where the curve runs along d, or along the normal,
  * they stay in a point, and knots are next to each other. Along a side at which S_u or S_v vanishes they are those of the tangent

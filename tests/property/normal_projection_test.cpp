@@ -461,6 +461,25 @@ TEST(NormalProjection, FeetThatFillRegions) {
     }
 }
 
+// In a centre of curvature in the plane of symmetry of a trough two more branches begin: all of them meet in one small part.
+TEST(NormalProjection, BranchesThatMeet) {
+    const Handle g = create(quadratic_graph(0.5, 0, 0, 0, -1, -1)),
+                 line = polyline({{0, 0.1, 0.2}, {0, 0.3, 1.4}});
+    const Subject s(g.get(), line.get());
+    const Crossing found = projection(s);
+    check_feet(found, s, 1e-6, 200);
+    ASSERT_EQ(found.found.branches.size(), 4U);
+    EXPECT_EQ(found.found.count(NURBS_NODE_BORDER), 4);
+    ASSERT_EQ(found.found.nodes.size(), 5U);
+    for (size_t i = 0; i < 5; ++i) {
+        if (found.found.nodes[i].kind != NURBS_NODE_BORDER) {
+            const std::array<Place, 2> &range = found.found.nodes[i].range;
+            EXPECT_LE(std::max(range[0][1] - range[0][0], range[1][1] - range[1][0]), 1e-2);
+            EXPECT_NEAR(found.on_b[i].at[0], 2.0 / 3, 1e-2);
+        }
+    }
+}
+
 // A foot at a pole is one place, at which the branch may end and go on; sides of one point are not feet by themselves.
 TEST(NormalProjection, Poles) {
     const Handle ball = sphere({0, 0, 1});
