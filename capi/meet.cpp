@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -71,19 +72,20 @@ void put_place(const std::array<double, 2> &at, const std::array<Interval, 2> &r
     }
 }
 
-// What is projected, and how.
+// What is projected, and how: without a direction normally.
 struct ProjectionQuery {
     SplinePtr curve;
-    Vector3 direction;
+    std::optional<Vector3> direction;
 };
 ProjectionQuery projection_query(const nurbs *curve, const double *direction, double tolerance) {
     const Spline &spline = named(curve, "curve");
-    require(direction, "direction");
     check_kind(spline, 1, "curve");
     check_dimension(spline, 3, 3);
-    check_direction("direction", direction);
+    if (direction != nullptr) {
+        check_direction("direction", direction);
+    }
     check_positive_tolerance(tolerance);
-    return {curve->spline, vector_of(direction, 3)};
+    return {curve->spline, direction == nullptr ? std::nullopt : std::optional(vector_of(direction, 3))};
 }
 
 } // namespace
@@ -148,11 +150,13 @@ nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve, con
         require_out(out);
         require(g, "g");
         require(curve, "curve");
-        require(direction, "direction");
         const Spline &surface = surface_of(g);
         check_dimension(surface, 3, 3);
         const ProjectionQuery query = projection_query(curve, direction, tolerance);
-        give_meet(intersect::projected_along(query.curve, surface, query.direction, tolerance), out);
+        give_meet(query.direction
+                      ? intersect::projected_along(query.curve, surface, *query.direction, tolerance)
+                      : intersect::projected_normally(query.curve, surface, tolerance),
+                  out);
     });
 }
 
@@ -170,7 +174,9 @@ nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve
         const face::Face &own = face_of(face);
         check_dimension(*own.surface(), 3, 3);
         const ProjectionQuery query = projection_query(curve, direction, tolerance);
-        give_meet(face::projected_along(query.curve, own, query.direction, tolerance), out);
+        give_meet(query.direction ? face::projected_along(query.curve, own, *query.direction, tolerance)
+                                  : face::projected_normally(query.curve, own, tolerance),
+                  out);
     });
 }
 

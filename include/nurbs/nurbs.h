@@ -5720,7 +5720,7 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
 #define NURBS_NODE_EDGE                                                                                      \
     5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
 #define NURBS_NODE_FOLD                                                                                      \
-    6 /**< the surface folds as seen along the direction of a projection: another sheet goes on */
+    6 /**< the surface folds as seen along the direction of a projection, or feet do: another sheet goes on */
 #define NURBS_NODE_OVERLAP                                                                                   \
     7 /**< a region in which two surfaces are within the tolerance of each other; no branch ends there */
 /** @} */
@@ -5979,7 +5979,7 @@ NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nu
  *
  * What both surfaces have within a room of a shared edge is that edge, and not told again: 2 (d_a + d_b + tolerance) / s,
  * d how far faces are off the edge (nurbs_face_deviation()), s the least sine, or 1/256 if that is more; what division
- * makes larger than a 16th of the size of the edge is no more than that. So is what begins within 16 rooms of the edge
+ * makes larger than a 16th of the size of the edge is no more than that. So is what begins within a room of the edge
  * and is no longer than that. What leaves an edge otherwise begins in a node EDGE. For this surfaces are continued beyond the
  * ends of their domains, where borders do cross. Faces that are smooth at a shared edge have a node UNDECIDED there in general,
  * as surfaces that touch.
@@ -6018,38 +6018,53 @@ NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const 
                                                      double tolerance, const nurbs_call_options *call,
                                                      nurbs_meet **out);
 
-/** \brief A curve projected onto a surface along a direction: all curves in which the lines C(t) + h d / |d| meet the surface,
- * proven to be all. They are the common curves of the surface and of the ruled surface (t, h) -> C(t) + h d / |d| of these
- * lines, whose control points are those of C, each rounded once, for all h that lead into the box of the surface; they are
- * found as nurbs_surface_intersections() does, on both sides of C and on all sheets of the surface. Along each branch t
- * rises: nurbs_meet_branch_second() gives the curve of (t, h), whose first coordinate at its ends is the range of t that is
- * projected, and whose second one is the signed distance from C along d. Branches close, or end in nodes
- * - BORDER: the curve, or the surface, ends or jumps there.
- * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
- * - FOLD: t turns there, since d is in the tangent plane of the surface: the branch goes on in another one, on the sheet of
- *   the surface behind the fold, which ends there as well or begins there. Turns of t along no more of the curve, across
- *   d, than 4 deviations of the branch are none.
- * - UNDECIDED: where it is left open what there is: the surface touches the lines along a curve, or holds one of them; a
- *   derivative vanishes; or the limit of work came first.
+/** \brief A curve projected onto a surface, along a direction d or, without one, normally: all curves of the projected points,
+ * proven to be all.
  *
- * Outside of these the branches are all there is, to within their deviations. Where the curve runs along d they stay in a
- * point, and knots are next to each other.
- * \param[in] g a surface of dimension 3.
+ * Along d these are the common curves of the surface and of the ruled surface (t, h) -> C(t) + h d / |d| of the lines through the
+ * points of C, whose control points are those of C, each rounded once, for all h that lead into the box of the surface; they are
+ * found as nurbs_surface_intersections() does, on both sides of C and on all sheets of the surface. Normally these are the
+ * curves of all orthogonal feet, near ones and far ones: of all (t, u, v) with (S(u, v) - C(t)) . S_u = 0 and
+ * (S(u, v) - C(t)) . S_v = 0, so that S = C + h n, with n the unit vector along S_u x S_v. Where C is on the surface h is 0.
+ * A foot at which the distance is the least of a place can be at a border, a crease or a pole instead: these are none, and
+ * nurbs_closest_points() finds them.
+ *
+ * Along each branch t rises: nurbs_meet_branch_second() gives the curve of (t, h), whose first coordinate at its ends is the range
+ * of t that is projected, and whose second one is the signed distance from C, along d or n. Branches close, or end in nodes
+ * - BORDER: the curve, or the surface, ends or jumps there, or feet come to a crease of the surface, at which the tangent planes
+ *   of both sides differ.
+ * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
+ * - FOLD: t turns there, since d is in the tangent plane of the surface, or since C(t) is a centre of curvature of the surface in
+ *   the foot: the branch goes on in another one, on the sheet of the surface behind the fold, which ends there as well or begins
+ *   there. Turns of t along no more of the curve, across d, than 4 deviations of the branch are none.
+ * - TOUCH, of feet: branches cross or end in a part that is no larger than the tolerance, on the surface and on the curve.
+ * - UNDECIDED: where it is left open what there is: the surface touches the lines along a curve, or holds one of them; feet fill
+ *   a region, as for a curve along the axis of a cylinder or through the centre of a sphere; branches of feet meet, at a pole or
+ *   in a plane of symmetry, in a part that rounding makes larger than the tolerance; a derivative vanishes; or the limit of
+ *   work came first.
+ *
+ * Outside of these the branches are all there is, to within their deviations. Where the curve runs along d, or along the normal,
+ * they stay in a point, and knots are next to each other. Along a side at which S_u or S_v vanishes they are those of the tangent
+ * plane there. Of an axis of degree 0 of the surface all is left open.
+ * \param[in] g a surface of dimension 3; normally of degrees that are at most 31, or 20 if it has weights.
  * \param[in] curve a curve of dimension 3.
- * \param[in] direction [3]: d, of any length but 0; what is projected against it has h < 0.
+ * \param[in] direction [3] or NULL: d, of any length but 0; what is projected against it has h < 0. NULL: normally.
  * \param[in] tolerance > 0: the largest distance of the curves from the projection.
  * \param[out] out the new meet; all of it has level 0. nurbs_meet_branch() gives curves in space and in the domain of g.
- *   Deviations bound the distance of each of them, and of the lines over (t, h), from the common curves, so that at equal
- *   parameters the surface is within two of them of C(t) + h d / |d|.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DIRECTION, _TOLERANCE; _NOT_REPRESENTABLE if lines to the box of
- *   the surface overflow, or weights cannot be shown to be positive.
+ *   Deviations bound the distance of each of them from the common curves, or from the feet, and how far C(t) and h are from
+ *   those of these, so that at equal parameters the surface is within two of them of C(t) + h d / |d|, and normally |h| within
+ *   three of the distance of S(u, v) and C(t). Nothing bounds h where n turns over, as it may where S_u x S_v is 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DIRECTION, _TOLERANCE; _DEGREE, normally; _NOT_REPRESENTABLE if
+ *   lines to the box of the surface overflow, or weights cannot be shown to be positive.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve,
                                                    const double *direction, double tolerance,
                                                    nurbs_meet **out);
 
 /** \brief nurbs_surface_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
- * \param[in] g,curve,direction,tolerance as for nurbs_surface_project_curve().
+ * \param[in] g,curve as for nurbs_surface_project_curve().
+ * \param[in] direction [3] or NULL: as for nurbs_surface_project_curve().
+ * \param[in] tolerance as for nurbs_surface_project_curve().
  * \param[in] call or NULL: the wishes of the caller.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_project_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
@@ -6058,10 +6073,12 @@ NURBS_API nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nu
                                                         const double *direction, double tolerance,
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief A curve projected onto a face along a direction: what of nurbs_surface_project_curve() on its surface is inside of its
- * loops, trimmed as by nurbs_meet_trim(): where branches leave the face they end in nodes BORDER.
+/** \brief A curve projected onto a face, along a direction or normally: what of nurbs_surface_project_curve() on its surface is
+ * inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face they end in nodes BORDER.
  * \param[in] face a face.
- * \param[in] curve,direction,tolerance as for nurbs_surface_project_curve().
+ * \param[in] curve as for nurbs_surface_project_curve().
+ * \param[in] direction [3] or NULL: as for nurbs_surface_project_curve().
+ * \param[in] tolerance as for nurbs_surface_project_curve().
  * \param[out] out the new meet.
  * \return as for nurbs_surface_project_curve().
  * \since 1.1 */
@@ -6069,7 +6086,9 @@ NURBS_API nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nu
                                                 const double *direction, double tolerance, nurbs_meet **out);
 
 /** \brief nurbs_face_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
- * \param[in] face,curve,direction,tolerance as for nurbs_face_project_curve().
+ * \param[in] face,curve as for nurbs_face_project_curve().
+ * \param[in] direction [3] or NULL: as for nurbs_face_project_curve().
+ * \param[in] tolerance as for nurbs_face_project_curve().
  * \param[in] call or NULL: the wishes of the caller.
  * \param[out] out the new meet.
  * \return as for nurbs_face_project_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.

@@ -171,6 +171,7 @@ ASK = [
     lambda c: c.g.meet(c.h, abs(c.tolerance()) + 1e-3, work=1 << 24).nodes,
     lambda c: c.g.common_points(c.h, c.g, abs(c.tolerance()) + 1e-3, work=1 << 22),
     lambda c: c.g.project_curve(c.h, c.random.normal(size=3), abs(c.tolerance()) + 1e-3, work=1 << 24).nodes,
+    lambda c: c.g.project_curve(c.h, None, abs(c.tolerance()) + 1e-3, work=1 << 24).nodes,
     lambda c: c.g.rays(c.random.normal(size=3), c.random.normal(size=3)),
     lambda c: c.g.sections(c.random.normal(size=3), c.random.normal(size=2), c.tolerance()).nodes,
     lambda c: c.g.ray_hits(c.random.normal(size=3), c.random.normal(size=3)),

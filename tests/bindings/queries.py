@@ -2,6 +2,7 @@
 """Distances, measures, boxes and features in Python: one known value of each."""
 
 import copy
+import math
 import pickle
 import unittest
 from math import inf, nan, pi, sqrt
@@ -341,9 +342,16 @@ class Sections(unittest.TestCase):
         lines = meet.branch_second(0)
         (t, h), space = lines(lines.domain[0][0]), meet.branch(0).space
         near(space(space.domain[0][0]), line(t) + [0, 0, -h], by=1e-8)
+        feet = ball.project_curve(line, None, 1e-9, work=10**9)
+        self.assertEqual((feet.counts.complete, feet.counts.branches >= 2), (True, True))
+        lines, space = feet.branch_second(0), feet.branch(0).space
+        t, h = lines(lines.domain[0][1])
+        near(math.dist(space(space.domain[0][1]), line(t)), abs(h), by=1e-8)
         face = nurbs.Face.create(nurbs.plane([1, 0, 0], [0, 1, 0]), [1], [nurbs.circle(0.25, center=[0.5, 0.5])])
         inside = face.project_curve(nurbs.line([-1, 0.5, 3], [1, 0.5, 3]), [0, 0, 1], 1e-9)
         near(sorted(inside.nodes_second.params[:, 0]), [0.625, 0.875], by=1e-9)
+        below = face.project_curve(nurbs.line([-1, 0.5, 3], [1, 0.5, 3]), None, 1e-9)
+        near(sorted(below.nodes_second.params[:, 0]), [0.625, 0.875], by=1e-9)
 
     def test_contours(self):
         ball = nurbs.sphere(2)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Curves projected onto surfaces and faces along a direction: known shapes, folds, limits of work, bad input. */
+/* Curves projected onto surfaces and faces along a direction, and normally: known shapes, folds, limits of work, bad input. */
 #include "faces.h"
 
 #include <math.h>
@@ -198,6 +198,43 @@ static void watched(void) {
     nurbs_destroy(g);
 }
 
+/* Feet: one on a plane, two on a ball, none of their own kind beside a hole; limits of work. */
+static void normally(void) {
+    const Found f = projected(plane(), line_along_x(-1, 5, 1, 4), NULL, 1e-9);
+    CHECK(f.branches == 1 && f.nodes == 2 && f.complete == 1);
+    CHECK_INT(count_of(&f, NURBS_NODE_BORDER), 2);
+    CHECK_NEAR(f.t, VALUES(0, 2), 2, 1e-9);
+    CHECK(fabs(fabs(f.h[0]) - 4) < 1e-9 && fabs(f.h[0] - f.h[1]) < 1e-9);
+    const Found both = projected(ball(), line_along_x(-2, 2, 0.28, 3), NULL, 1e-9);
+    CHECK_INT(both.complete, 1);
+    double length = 0;
+    for (int64_t i = 0; i < both.branches; ++i) {
+        const double x = both.t[2 * i], far = sqrt(x * x + 0.28 * 0.28 + 9), h = fabs(both.h[2 * i]);
+        CHECK(fabs(h - far - 1) < 1e-8 || fabs(h - far + 1) < 1e-8);
+        length += both.t[2 * i + 1] - both.t[2 * i];
+    }
+    CHECK(fabs(length - 8) < 1e-8);
+    nurbs_face *face = frame_face();
+    nurbs *curve = line_along_x(-1, 5, 1, 4), *g = ball();
+    nurbs_meet *meet = NULL;
+    CHECK_OK(nurbs_face_project_curve(face, curve, NULL, 1e-9, &meet));
+    const Found inside = found_in(meet);
+    CHECK(inside.branches == 2 && inside.nodes == 4 && inside.complete == 1);
+    nurbs_call_options call;
+    CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    call.work = 10;
+    int32_t complete = -1;
+    CHECK_OK(nurbs_surface_project_curve_with(g, curve, NULL, 1e-9, &call, &meet));
+    CHECK_OK(nurbs_meet_counts(meet, NULL, NULL, &complete));
+    CHECK_INT(complete, 0);
+    nurbs_meet_destroy(meet);
+    CHECK_OK(nurbs_face_project_curve_with(face, curve, NULL, 1e-9, NULL, &meet));
+    nurbs_meet_destroy(meet);
+    nurbs_destroy(g);
+    nurbs_destroy(curve);
+    nurbs_face_destroy(face);
+}
+
 #define CHECK_NO_MEET(call, status, words)                                                                   \
     do {                                                                                                     \
         nurbs_meet *none = (nurbs_meet *)(void *)check_poison();                                             \
@@ -213,12 +250,15 @@ static void refused(void) {
     nurbs_face *level_face = face_of(level, 0, NULL);
     CHECK_NO_MEET(nurbs_surface_project_curve(NULL, curve, down, 1e-6, &none), NURBS_ERROR_NULL, "g");
     CHECK_NO_MEET(nurbs_surface_project_curve(g, NULL, down, 1e-6, &none), NURBS_ERROR_NULL, "curve");
-    CHECK_NO_MEET(nurbs_surface_project_curve(g, curve, NULL, 1e-6, &none), NURBS_ERROR_NULL, "direction");
     CHECK_FAILS(nurbs_surface_project_curve(g, curve, down, 1e-6, NULL), NURBS_ERROR_NULL, "out");
     CHECK_NO_MEET(nurbs_surface_project_curve(curve, curve, down, 1e-6, &none), NURBS_ERROR_AXES, "g");
     CHECK_NO_MEET(nurbs_surface_project_curve(g, g, down, 1e-6, &none), NURBS_ERROR_AXES, "curve");
     CHECK_NO_MEET(nurbs_surface_project_curve(level, curve, down, 1e-6, &none), NURBS_ERROR_DIMENSION, "2");
     CHECK_NO_MEET(nurbs_surface_project_curve(g, flat, down, 1e-6, &none), NURBS_ERROR_DIMENSION, "2");
+    nurbs *steep = NULL;
+    CHECK_OK(nurbs_elevate(g, 0, 19, &steep)); /* rational, of degree 21 */
+    CHECK_NO_MEET(nurbs_surface_project_curve(steep, curve, NULL, 1e-6, &none), NURBS_ERROR_DEGREE, "21");
+    nurbs_destroy(steep);
     CHECK_NO_MEET(nurbs_surface_project_curve(g, curve, VALUES(0, 0, 0), 1e-6, &none), NURBS_ERROR_DIRECTION,
                   "direction");
     CHECK_NO_MEET(nurbs_surface_project_curve(g, curve, VALUES(0, NAN, 1), 1e-6, &none),
@@ -233,6 +273,8 @@ static void refused(void) {
         CHECK_NO_MEET(nurbs_surface_project_curve(g, curve, down, bad[i], &none), NURBS_ERROR_TOLERANCE,
                       "tolerance");
         CHECK_NO_MEET(nurbs_face_project_curve(face, curve, down, bad[i], &none), NURBS_ERROR_TOLERANCE,
+                      "tolerance");
+        CHECK_NO_MEET(nurbs_surface_project_curve(g, curve, NULL, bad[i], &none), NURBS_ERROR_TOLERANCE,
                       "tolerance");
     }
     nurbs_face_destroy(level_face);
@@ -249,6 +291,7 @@ int main(void) {
     closed();
     beside_and_along();
     onto_a_face();
+    normally();
     watched();
     refused();
     return check_summary("project_curve");

@@ -215,7 +215,7 @@ void look_at_projection(const nurbs_meet *found) {
     }
 }
 
-// Onto a surface, and onto all of it as a face.
+// Onto a surface, and onto all of it as a face; without a direction normally.
 void project(const nurbs *curve, const nurbs *surface, const double *direction, double tolerance,
              const nurbs_call_options &call, bool plain) {
     nurbs_meet *found = nullptr;
@@ -275,6 +275,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     const double direction[] = {in.number(), in.number(), in.coin() ? 1 : in.number()};
     project(curve.get(), surface.get(), direction, tolerance, call, in.rarely());
+    project(curve.get(), surface.get(), nullptr, tolerance, call, in.rarely());
     nurbs *side = nullptr;
     double domain[2];
     if (FUZZ_OK(nurbs_domain(surface.get(), 0, domain)) &&

@@ -3234,12 +3234,12 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_intersections_with
-        !> A curve projected onto a surface along a direction: all curves in which the lines C(t) + h d / |d|
-        !> meet the surface, proven to be all.
+        !> A curve projected onto a surface, along a direction d or, without one, normally: all curves of the
+        !> projected points, proven to be all.
         function nurbs_surface_project_curve(g, curve, direction, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: g, curve
-            real(c_double), intent(in) :: direction(*)
+            real(c_double), intent(in), optional :: direction(*)
             real(c_double), value :: tolerance
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
@@ -3249,19 +3249,19 @@ module nurbs_c
         function nurbs_surface_project_curve_with(g, curve, direction, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g, curve
-            real(c_double), intent(in) :: direction(*)
+            real(c_double), intent(in), optional :: direction(*)
             real(c_double), value :: tolerance
             type(nurbs_call_options), intent(in), optional :: call
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_project_curve_with
-        !> A curve projected onto a face along a direction: what of nurbs_surface_project_curve() on its
-        !> surface is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face they
-        !> end in nodes BORDER.
+        !> A curve projected onto a face, along a direction or normally: what of nurbs_surface_project_curve()
+        !> on its surface is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the
+        !> face they end in nodes BORDER.
         function nurbs_face_project_curve(face, curve, direction, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: face, curve
-            real(c_double), intent(in) :: direction(*)
+            real(c_double), intent(in), optional :: direction(*)
             real(c_double), value :: tolerance
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
@@ -3271,7 +3271,7 @@ module nurbs_c
         function nurbs_face_project_curve_with(face, curve, direction, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: face, curve
-            real(c_double), intent(in) :: direction(*)
+            real(c_double), intent(in), optional :: direction(*)
             real(c_double), value :: tolerance
             type(nurbs_call_options), intent(in), optional :: call
             type(c_ptr), intent(out) :: out

@@ -450,7 +450,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4  ! a part in which it is left open what there is
     ! an edge, a corner or a pole of faces of a model, where another branch goes on
     integer(c_int32_t), parameter :: NURBS_NODE_EDGE = 5
-    ! the surface folds as seen along the direction of a projection: another sheet goes on
+    ! the surface folds as seen along the direction of a projection, or feet do: another sheet goes on
     integer(c_int32_t), parameter :: NURBS_NODE_FOLD = 6
     ! a region in which two surfaces are within the tolerance of each other; no branch ends there
     integer(c_int32_t), parameter :: NURBS_NODE_OVERLAP = 7

@@ -183,7 +183,7 @@ contains
         call settle(code, status)
     end subroutine of_faces
 
-    !> A curve projected onto a surface along a direction: all curves on it, proven to be all.
+    !> A curve projected onto a surface along a direction, or normally: all curves on it, proven to be all.
     subroutine projection(this, g, curve, direction, tolerance, status, call)
         class(nurbs_meet), intent(inout) :: this
         class(nurbs_spline), intent(in) :: g, curve
@@ -201,7 +201,7 @@ contains
         call settle(code, status)
     end subroutine projection
 
-    !> A curve projected onto a face along a direction: all curves inside of its loops.
+    !> A curve projected onto a face along a direction, or normally: all curves inside of its loops.
     subroutine face_projection(this, face, curve, direction, tolerance, status, call)
         class(nurbs_meet), intent(inout) :: this
         class(nurbs_face), intent(in) :: face

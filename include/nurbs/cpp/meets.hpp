@@ -207,31 +207,34 @@ public:
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_face_intersections_with, a.get(), b.get(), tolerance, watch.get());
     }
-    /// A curve projected onto a surface along a direction: all curves on it, proven to be all.
+    /// A curve projected onto a surface along a direction, or normally: all curves on it, proven to be all.
     [[nodiscard]] static Returned<Meet> projection(const Spline &g, const Spline &curve,
-                                                   const std::array<double, 3> &direction, double tolerance) {
+                                                   View<double> direction, double tolerance) {
+        detail::require(direction, 3, "direction");
         return detail::made<Meet>(nurbs_surface_project_curve, g.get(), curve.get(), direction.data(),
                                   tolerance);
     }
     /// The same; `call` can watch and end it.
     [[nodiscard]] static Returned<Meet> projection(const Spline &g, const Spline &curve,
-                                                   const std::array<double, 3> &direction, double tolerance,
+                                                   View<double> direction, double tolerance,
                                                    const CallOptions &call) {
+        detail::require(direction, 3, "direction");
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_surface_project_curve_with, g.get(), curve.get(), direction.data(),
                                   tolerance, watch.get());
     }
-    /// A curve projected onto a face along a direction: all curves inside of its loops.
+    /// A curve projected onto a face along a direction, or normally: all curves inside of its loops.
     [[nodiscard]] static Returned<Meet> face_projection(const Face &face, const Spline &curve,
-                                                        const std::array<double, 3> &direction,
-                                                        double tolerance) {
+                                                        View<double> direction, double tolerance) {
+        detail::require(direction, 3, "direction");
         return detail::made<Meet>(nurbs_face_project_curve, face.get(), curve.get(), direction.data(),
                                   tolerance);
     }
     /// The same; `call` can watch and end it.
     [[nodiscard]] static Returned<Meet> face_projection(const Face &face, const Spline &curve,
-                                                        const std::array<double, 3> &direction,
-                                                        double tolerance, const CallOptions &call) {
+                                                        View<double> direction, double tolerance,
+                                                        const CallOptions &call) {
+        detail::require(direction, 3, "direction");
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_face_project_curve_with, face.get(), curve.get(), direction.data(),
                                   tolerance, watch.get());

@@ -10,4 +10,8 @@ intersect::Meet projected_along(const SplinePtr &curve, const Face &face, const 
     return trimmed(face, intersect::projected_along(curve, *face.surface(), direction, tolerance));
 }
 
+intersect::Meet projected_normally(const SplinePtr &curve, const Face &face, double tolerance) {
+    return trimmed(face, intersect::projected_normally(curve, *face.surface(), tolerance));
+}
+
 } // namespace nrb::face

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves projected onto faces along a direction.
+// Curves projected onto faces, along a direction or normally.
 #pragma once
 
 #include "face/face.h"
@@ -7,8 +7,10 @@
 
 namespace nrb::face {
 
-// What of projected_along() on the surface of a face is inside of its loops (trimmed()).
+// What of projected_along() and projected_normally() on the surface of a face is inside of its loops (trimmed()).
 intersect::Meet projected_along(const SplinePtr &curve, const Face &face, const Vector3 &direction,
                                 double tolerance);
+
+intersect::Meet projected_normally(const SplinePtr &curve, const Face &face, double tolerance);
 
 } // namespace nrb::face

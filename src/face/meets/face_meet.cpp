@@ -34,9 +34,6 @@ using intersect::NodeKind;
 
 // Of grounds that are looked at where the usual ones leave something open: not the same, so that no ends are one by chance again.
 constexpr std::array<double, 2> margins_beyond{1.0 / 53, 1.0 / 41};
-// How many rooms around an edge what begins and ends there may reach.
-constexpr double most_rooms = 16;
-
 struct Box {
     std::array<double, 3> lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};
 };
@@ -101,7 +98,7 @@ void drop_edges_along(Meet &regions, std::span<const CommonEdge> edges) {
 // Whether a place is as near to an edge as that is told.
 bool is_at(const double *x, const CommonEdge &edge) {
     const Spline &own = *edge.branch.space;
-    const double room = most_rooms * edge.room;
+    const double room = edge.room;
     return closest::locator_of(own)
                .nearest({x, nullptr, edge.room, closest::usual_budget(own), false, true})
                .distance <= room;
@@ -114,7 +111,7 @@ bool is_of(const Spline &curve, const CommonEdge &edge) {
     for (size_t c = 0; c < 3; ++c) {
         size = std::hypot(size, box.upper[c] - box.lower[c]);
     }
-    return size <= most_rooms * edge.room && is_at(eval::end_point(curve, false).data(), edge);
+    return size <= edge.room && is_at(eval::end_point(curve, false).data(), edge);
 }
 
 // Where arcs along an edge are not found to go on in each other the edge does.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves projected onto surfaces along a direction.
+// Curves projected onto surfaces, along a direction or normally.
 #pragma once
 
 #include "intersect/levels/level_meet.h"
@@ -14,5 +14,9 @@ namespace nrb::intersect {
 // Status::not_representable.
 Meet projected_along(const SplinePtr &curve, const Spline &surface, const Vector3 &direction,
                      double tolerance);
+
+// All orthogonal feet of the points of a curve on a surface: S with S - C = h n, n the unit normal, likewise in sheets, which
+// fold where C is in a centre of curvature. The second domain is that of (t, h). Throws Status::degree and not_representable.
+Meet projected_normally(const SplinePtr &curve, const Spline &surface, double tolerance);
 
 } // namespace nrb::intersect

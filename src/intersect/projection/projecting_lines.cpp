@@ -84,15 +84,29 @@ double rounding_of(const Spline &curve, const Box3 &box, const Interval &range) 
                                 : infinity;
 }
 
+SplinePtr lines_along(const SplinePtr &curve, const Vector3 &direction, const Interval &range) {
+    const SplinePtr ruled =
+        build::ruled_homogeneous(moved(curve, direction, range.lower), moved(curve, direction, range.upper));
+    return refine::reparametrize(ruled, 1, range);
+}
+
 } // namespace
 
 ProjectingLines projecting_lines(const SplinePtr &curve, const Spline &surface, const Vector3 &direction) {
     const Vector3 along = unit(scaled_to_one(direction));
     const Box3 box = box_of(*curve);
     const Interval range = heights(box, box_of(surface), along);
-    const SplinePtr ruled =
-        build::ruled_homogeneous(moved(curve, along, range.lower), moved(curve, along, range.upper));
-    return {along, refine::reparametrize(ruled, 1, range), rounding_of(*curve, box, range)};
+    return {along, lines_along(curve, along, range), rounding_of(*curve, box, range)};
+}
+
+SplinePtr distance_lines(const SplinePtr &curve, const Spline &surface) {
+    Box3 all = box_of(*curve);
+    const Box3 other = box_of(surface);
+    for (size_t c = 0; c < 3; ++c) {
+        all[c] = {std::min(all[c].lower, other[c].lower), std::max(all[c].upper, other[c].upper)};
+    }
+    const double size = 1.125 * size_of(all), range = size > 0 ? size : 1;
+    return lines_along(curve, {0, 0, 1}, {-range, range});
 }
 
 } // namespace nrb::intersect

@@ -17,4 +17,8 @@ struct ProjectingLines {
 // Throws Status::not_representable. Preconditions as for projected_along().
 ProjectingLines projecting_lines(const SplinePtr &curve, const Spline &surface, const Vector3 &direction);
 
+// Lines through the points of a curve, all along one direction: (t, h) with all h that may be a distance from the other surface,
+// of either sign. Throws Status::not_representable.
+SplinePtr distance_lines(const SplinePtr &curve, const Spline &surface);
+
 } // namespace nrb::intersect

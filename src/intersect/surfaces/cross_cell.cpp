@@ -6,7 +6,6 @@
 #include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "numeric/norm.h"
-#include "pieces/tree/patch_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,22 +15,11 @@ namespace nrb::intersect {
 namespace {
 
 constexpr size_t width = 4; // x w, y w, z w, w
-constexpr double least_length = 0x1p-31;
-// Where parts are halved: what is symmetric meets in curves along middles, which would run along sides of boxes.
-constexpr double place_of_halves = 0.5 - 0x1.5p-6;
 // In parts of the length of derivatives: what bends less is halved where it is longer.
 constexpr double little_bend = 0x1p-9;
 
 double dot3(const Vector3 &a, const double *b) noexcept {
     return a.x * b[0] + a.y * b[1] + a.z * b[2];
-}
-
-// Of Bernstein coefficients [degree + 1] those between two places: [degree + 1][degree + 1].
-std::vector<double> part_matrix(int degree, double lower, double upper) {
-    const auto n = static_cast<size_t>(degree) + 1;
-    std::vector<double> matrix(n * n);
-    pieces::part_matrix(degree, lower, upper, matrix.data());
-    return matrix;
 }
 
 // The layers of a net with records, along an axis.
@@ -54,22 +42,6 @@ std::vector<double> derivative(const AxisLayers &layers, double factor, const do
         }
     }
     return result;
-}
-
-void apply(const std::vector<double> &matrix, const AxisLayers &layers, const double *from, double *to) {
-    const auto n = static_cast<size_t>(layers.degree) + 1, inner = static_cast<size_t>(layers.inner);
-    for (int64_t o = 0; o < layers.outer; ++o) {
-        for (size_t r = 0; r < n; ++r, to += inner) {
-            std::fill_n(to, inner, 0.0);
-            for (size_t j = 0; j < n; ++j) {
-                const double factor = matrix[r * n + j], *layer = from + j * inner;
-                for (size_t c = 0; c < inner; ++c) {
-                    to[c] += factor * layer[c];
-                }
-            }
-        }
-        from += n * inner;
-    }
 }
 
 } // namespace
@@ -107,8 +79,8 @@ CrossCell::CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &pla
         lower_[k] = places[k].lower;
         upper_[k] = places[k].upper;
         length_[k] = upper_[k] - lower_[k];
-        apply(part_matrix(piece.degrees[k], lower_[k], upper_[k]), layers_along(k, piece.degrees),
-              k == 0 ? piece.piece.record(0) : half, k == 0 ? half : records_.data());
+        apply_along(part_matrix(piece.degrees[k], lower_[k], upper_[k]), layers_along(k, piece.degrees),
+                    k == 0 ? piece.piece.record(0) : half, k == 0 ? half : records_.data());
     }
     set_box();
 }
@@ -192,8 +164,8 @@ void CrossCell::set_box() {
 
 void CrossCell::widen(const double *records, double *half, double *wide) const {
     const auto &widenings = piece_->ground->widenings;
-    apply(widenings[0], layers_along(0, piece_->degrees), records, half);
-    apply(widenings[1], layers_along(1, piece_->degrees), half, wide);
+    apply_along(widenings[0], layers_along(0, piece_->degrees), records, half);
+    apply_along(widenings[1], layers_along(1, piece_->degrees), half, wide);
 }
 
 bool CrossCell::prepare() {
@@ -263,8 +235,8 @@ std::vector<double> CrossCell::derivatives(const std::vector<double> &records, s
     --degrees[axis];
     for (size_t k = 0; k < 2; ++k) {
         const double room = widening * length_[k];
-        apply(part_matrix(degrees[k], lower_[k] - room, lower_[k] + length_[k] + room),
-              layers_along(k, degrees), values.data(), part.data());
+        apply_along(part_matrix(degrees[k], lower_[k] - room, lower_[k] + length_[k] + room),
+                    layers_along(k, degrees), values.data(), part.data());
         std::swap(values, part);
     }
     for (double *by = values.data(); by < values.data() + values.size(); by += width) {
@@ -361,7 +333,7 @@ bool CrossCell::split(std::deque<CrossCell> &all) {
         return true;
     }
     const size_t axis = axis_of_halves();
-    if (piece_->degrees[axis] == 0 || length_[axis] <= least_length) {
+    if (piece_->degrees[axis] == 0 || length_[axis] <= least_length_of_parts) {
         return false;
     }
     const AxisLayers layers = layers_along(axis, piece_->degrees);

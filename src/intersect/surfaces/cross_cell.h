@@ -3,6 +3,7 @@
 #pragma once
 
 #include "intersect/levels/fields/surface_borders.h"
+#include "intersect/wide_part.h"
 #include "numeric/vector3.h"
 #include "pieces/tree/framed_pieces.h"
 
@@ -28,9 +29,6 @@ constexpr std::array<SideShifts, 2> side_shifts{
     SideShifts{0x1.9p-1 * shift_of_sides, 0x1.5p-2 * shift_of_sides}};
 // How far arcs that run along a border of a piece may be beyond it, in parts of pieces, before it is decided whose they are.
 constexpr double room_along_sides = 0x1p-7;
-// Polynomials go on beyond their pieces. What is proven of a part is proven of this much more of it on all sides, in parts
-// of its length.
-constexpr double widening = 1.0 / 8;
 
 struct CrossPiece;
 

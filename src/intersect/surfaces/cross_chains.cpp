@@ -3,7 +3,6 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/surfaces/cross_clusters.h"
 #include "intersect/surfaces/cross_spot.h"
 
 #include <algorithm>
@@ -22,11 +21,10 @@ constexpr size_t unmatched = static_cast<size_t>(-1);
 
 class CrossJoining {
 public:
-    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
-                 const CrossParts &found)
-        : surfaces_{&a, &b}, distances_(a, b), touch_(touch), found_(found),
-          next_(found.arcs.size(), unmatched), last_(found.arcs.size(), unmatched),
-          taken_(found.arcs.size(), false) {}
+    CrossJoining(const CrossSurface &a, const CrossSurface &b, const std::vector<JoinedArc> &arcs,
+                 std::vector<CrossGroup> groups)
+        : surfaces_{&a, &b}, distances_(a, b), arcs_(arcs), next_(arcs.size(), unmatched),
+          last_(arcs.size(), unmatched), taken_(arcs.size(), false), groups_(std::move(groups)) {}
 
     CrossChains run() {
         set_spots();
@@ -57,9 +55,9 @@ private:
     [[nodiscard]] int64_t count(size_t i) const noexcept { return grid(i).count(static_cast<int>(i % 2)); }
     // Arcs in corners of boxes are places.
     void set_spots() {
-        for (size_t arc = 0; arc < found_.arcs.size(); ++arc) {
+        for (size_t arc = 0; arc < arcs_.size(); ++arc) {
             for (size_t end = 0; end < 2; ++end) {
-                spots_[end].push_back(spot_of(found_.arcs[arc], found_.arcs[arc].ends[end]));
+                spots_[end].push_back(arcs_[arc].spots[end]);
             }
             lengths_.push_back(length_of(spots_[0][arc], spots_[1][arc], no_length));
             taken_[arc] = lengths_[arc] <= 1;
@@ -79,9 +77,8 @@ private:
     bool drop_short_ends() {
         bool any = false;
         for (size_t arc = 0; arc < next_.size(); ++arc) {
-            const auto &ends = found_.arcs[arc].ends;
-            const bool begins = last_[arc] == unmatched && !ends[0].open,
-                       stops = next_[arc] == unmatched && !ends[1].open;
+            const bool begins = last_[arc] == unmatched && !arcs_[arc].open[0],
+                       stops = next_[arc] == unmatched && !arcs_[arc].open[1];
             if (taken_[arc] || !is_short(arc) || (!begins && !stops)) {
                 continue;
             }
@@ -100,7 +97,7 @@ private:
         set_begins();
         std::vector<Match> matches;
         for (size_t arc = 0; arc < next_.size(); ++arc) {
-            if (!taken_[arc] && next_[arc] == unmatched && !found_.arcs[arc].ends[1].open) {
+            if (!taken_[arc] && next_[arc] == unmatched && !arcs_[arc].open[1]) {
                 add_matches(arc, wide, matches);
             }
         }
@@ -116,7 +113,7 @@ private:
         for (size_t i = 0; i < 4; ++i) {
             begins_[i].clear();
             for (size_t arc = 0; arc < next_.size(); ++arc) {
-                if (!taken_[arc] && last_[arc] == unmatched && !found_.arcs[arc].ends[0].open) {
+                if (!taken_[arc] && last_[arc] == unmatched && !arcs_[arc].open[0]) {
                     begins_[i].emplace_back(key(spots_[0][arc], i), arc);
                 }
             }
@@ -151,7 +148,6 @@ private:
     }
 
     void add_clusters() {
-        groups_ = cross_groups(*surfaces_[0], *surfaces_[1], touch_, found_.clusters);
         for (const CrossGroup &group : groups_) {
             add_node(group.touch ? NodeKind::touch : NodeKind::undecided, group.ranges);
         }
@@ -194,7 +190,7 @@ private:
     // Where a way begins or ends.
     int64_t node_at(size_t arc, size_t end) {
         const CrossSpot &spot = spots_[end][arc];
-        if (found_.arcs[arc].ends[end].open) {
+        if (arcs_[arc].open[end]) {
             return add_node(NodeKind::border, spot);
         }
         for (size_t group = 0; group < groups_.size(); ++group) {
@@ -203,7 +199,8 @@ private:
                 return static_cast<int64_t>(group);
             }
         }
-        return add_node(is_at_border(spot) ? NodeKind::border : NodeKind::undecided, spot);
+        const bool ends = arcs_[arc].creased[end] || is_at_border(spot);
+        return add_node(ends ? NodeKind::border : NodeKind::undecided, spot);
     }
     // With what sides are shifted by, and what seams move. Around parts in which arcs are not told apart there are some in which
     // rounding hides them: where these count, too, but nothing is proven of them.
@@ -305,8 +302,7 @@ private:
 
     std::array<const CrossSurface *, 2> surfaces_;
     CrossDistances distances_;
-    const CrossTouch &touch_;
-    const CrossParts &found_;
+    const std::vector<JoinedArc> &arcs_;
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
     std::array<std::vector<Begin>, 4> begins_;    // of what may go on, along each axis
     std::vector<size_t> next_, last_;             // arcs
@@ -319,9 +315,20 @@ private:
 
 } // namespace
 
+CrossChains joined_chains(const CrossSurface &a, const CrossSurface &b, const std::vector<JoinedArc> &arcs,
+                          std::vector<CrossGroup> groups) {
+    return CrossJoining(a, b, arcs, std::move(groups)).run();
+}
+
 CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
                          const CrossParts &found) {
-    return CrossJoining(a, b, touch, found).run();
+    std::vector<JoinedArc> arcs;
+    arcs.reserve(found.arcs.size());
+    for (const CrossArc &arc : found.arcs) {
+        const auto &[first, last] = arc.ends;
+        arcs.push_back({{spot_of(arc, first), spot_of(arc, last)}, {first.open, last.open}, {}});
+    }
+    return joined_chains(a, b, arcs, cross_groups(a, b, touch, found.clusters));
 }
 
 } // namespace nrb::intersect

@@ -48,6 +48,9 @@ public:
     [[nodiscard]] bool has_rows() const noexcept { return has_rows_; }
     // If so: whether the first part bends more than the second one.
     [[nodiscard]] bool first_bends_more() const noexcept { return bends_[0] > bends_[1]; }
+    // How far M F may be off by that of F.
+    [[nodiscard]] double noise(size_t i) const noexcept { return norms_[i] * near_; }
+    [[nodiscard]] double noise() const noexcept { return most_norm_ * near_; }
     // How far values of F may be off.
     [[nodiscard]] double near() const noexcept { return near_; }
     // 1 if the way along N_b x N_a has a rising coordinate k, else -1.

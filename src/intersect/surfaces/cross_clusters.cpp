@@ -17,7 +17,7 @@ using Members = std::vector<size_t>;
 
 class Groups {
 public:
-    Groups(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+    Groups(const CrossSurface &a, const CrossSurface &b, const TouchTest &touch,
            const std::vector<CrossCluster> &clusters)
         : surfaces_{&a, &b}, touch_(touch), clusters_(clusters) {}
 
@@ -166,14 +166,14 @@ private:
     }
 
     std::array<const CrossSurface *, 2> surfaces_;
-    const CrossTouch &touch_;
+    const TouchTest &touch_;
     const std::vector<CrossCluster> &clusters_;
     std::vector<Ranges> groups_;
 };
 
 } // namespace
 
-std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const TouchTest &touch,
                                      const std::vector<CrossCluster> &clusters) {
     return Groups(a, b, touch, clusters).run();
 }

@@ -11,11 +11,11 @@ namespace nrb::intersect {
 struct CrossGroup {
     std::array<Interval, 4>
         ranges; // of parameters, which may run beyond the upper ends of domains that close
-    bool touch; // CrossTouch::is_touch() of all of it
+    bool touch; // TouchTest::is_touch() of all of it
 };
 
 // Clusters that touch on both surfaces are one, with those that are no farther from it than it is large. Larger ones come first.
-std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const TouchTest &touch,
                                      const std::vector<CrossCluster> &clusters);
 
 } // namespace nrb::intersect

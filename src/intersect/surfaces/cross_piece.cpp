@@ -4,7 +4,6 @@
 #include "base/watch.h"
 #include "bernstein/de_casteljau.h"
 #include "intersect/surfaces/cross_cell.h"
-#include "pieces/tree/patch_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +12,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// Of Bernstein coefficients [degree + 1] those of the wide part: [degree + 1][degree + 1].
 std::vector<double> widening_of(int degree) {
-    const auto n = static_cast<size_t>(degree) + 1;
-    std::vector<double> matrix(n * n);
-    pieces::part_matrix(degree, -widening, 1 + widening, matrix.data());
-    return matrix;
+    return part_matrix(degree, -widening, 1 + widening);
 }
 
 } // namespace

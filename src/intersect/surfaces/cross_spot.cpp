@@ -8,34 +8,9 @@
 
 namespace nrb::intersect {
 
-namespace {
-
-// How far places of an end differ that are found in different boxes: as much as rounding makes of them, which is a small part
-// of its bounds. On a side the coordinate k is off by what that makes of the way to the side.
-CrossPlace noise_of(const CrossChart &chart, const CrossEnd &end) noexcept {
-    constexpr double part = 0.25, most_noise = 0x1p-8;
-    const size_t k = chart.axis();
-    CrossPlace noise{};
-    for (size_t i = 0; i < 4; ++i) {
-        noise[i] = i == k ? 0 : part * chart.norm(i) * chart.near();
-    }
-    if (end.coordinate != k) {
-        const Interval &rise = chart.rise(end.coordinate);
-        noise[k] = std::min(noise[end.coordinate] / std::abs(rise.lower / 2 + rise.upper / 2), most_noise);
-        for (size_t i = 0; i < 4; ++i) {
-            noise[i] +=
-                i == k ? 0
-                       : std::max(std::abs(chart.rise(i).lower), std::abs(chart.rise(i).upper)) * noise[k];
-        }
-    }
-    return noise;
-}
-
-} // namespace
-
 CrossSpot spot_of(const CrossArc &arc, const CrossEnd &end) noexcept {
     CrossSpot spot;
-    const CrossPlace noise = noise_of(arc.box.chart, end);
+    const CrossPlace noise = noise_of_end(arc.box.chart, end);
     for (size_t i = 0; i < 4; ++i) {
         const CrossCell &cell = arc.box.cell(i);
         const CrossPiece &piece = cell.piece();

@@ -6,19 +6,29 @@
 
 namespace nrb::intersect {
 
-class CrossTouch {
+// Whether ranges of the parameters of two surfaces are a touch, and without what they are the same.
+class TouchTest {
+public:
+    virtual ~TouchTest() = default;
+    [[nodiscard]] virtual bool is_touch(const std::array<Interval, 4> &ranges) const = 0;
+    virtual void narrow(std::array<Interval, 4> &ranges) const = 0;
+    // Whether it is certain that ranges hold nothing: where nobody can tell it is not.
+    [[nodiscard]] virtual bool is_apart(const std::array<Interval, 4> & /*ranges*/) const { return false; }
+};
+
+class CrossTouch final : public TouchTest {
 public:
     // tolerance: in the frame of both.
     CrossTouch(CrossGround &a, CrossGround &b, double tolerance) : grounds_{&a, &b}, tolerance_(tolerance) {}
 
     // Whether all that both have in ranges of their parameters, which may run beyond domains that close, lies between two
     // planes no farther apart than the tolerance, or in a box no larger, and is a small part of both.
-    [[nodiscard]] bool is_touch(const std::array<Interval, 4> &ranges) const;
+    [[nodiscard]] bool is_touch(const std::array<Interval, 4> &ranges) const override;
 
     // Takes away from ranges what has no common points with the other surface in its own, as boxes tell.
-    void narrow(std::array<Interval, 4> &ranges) const;
+    void narrow(std::array<Interval, 4> &ranges) const override;
     // Whether boxes tell that there are no common points in ranges: for certain, if so.
-    [[nodiscard]] bool is_apart(const std::array<Interval, 4> &ranges) const;
+    [[nodiscard]] bool is_apart(const std::array<Interval, 4> &ranges) const override;
 
 private:
     using Cells = std::vector<CrossCell>;

@@ -19,16 +19,6 @@ std::array<int, 2> degrees_of(const Spline &surface) noexcept {
     return {surface.axis(0).degree(), surface.axis(1).degree()};
 }
 
-std::array<std::optional<Interval>, 2> periodic_axes_of(const Spline &surface) {
-    std::array<std::optional<Interval>, 2> domains;
-    for (int k = 0; k < 2; ++k) {
-        if (surface.axis(k).periodic()) {
-            domains[static_cast<size_t>(k)] = surface.axis(k).domain();
-        }
-    }
-    return domains;
-}
-
 // Curves are made of the other half of the work. limited: whether this one ended.
 CrossParts parts_of(CrossSearch &search, double tolerance, bool &limited) {
     const HalfOfWork half;
@@ -43,6 +33,16 @@ bool is_left_open(const std::vector<CrossGroup> &groups) {
 }
 
 } // namespace
+
+std::array<std::optional<Interval>, 2> periodic_axes_of(const Spline &surface) {
+    std::array<std::optional<Interval>, 2> domains;
+    for (int k = 0; k < 2; ++k) {
+        if (surface.axis(k).periodic()) {
+            domains[static_cast<size_t>(k)] = surface.axis(k).domain();
+        }
+    }
+    return domains;
+}
 
 Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, Regions regions) {
     const UsualLimit usual(usual_work(a.point_count() + b.point_count()));

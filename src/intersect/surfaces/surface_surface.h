@@ -13,4 +13,7 @@ enum class Regions : bool { open, told };
 Meet surface_intersections(const Spline &a, const Spline &b, double tolerance,
                            Regions regions = Regions::open);
 
+// The domains of axes that are periodic.
+std::array<std::optional<Interval>, 2> periodic_axes_of(const Spline &surface);
+
 } // namespace nrb::intersect

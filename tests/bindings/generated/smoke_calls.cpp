@@ -947,12 +947,12 @@ void data(const Inputs &in) {
     {
         begin("surface_project_curve");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
-        const auto found = n::Meet::projection(wall, in.twist, std::array<double, 3>{1.0, 0.2, 0.1}, 0.01);
+        const auto found = n::Meet::projection(wall, in.twist, {1.0, 0.2, 0.1}, 0.01);
         show("out", found);
     }
     {
         begin("face_project_curve");
-        const auto found = n::Meet::face_projection(in.face, in.twist, std::array<double, 3>{0.0, 0.0, 1.0}, 0.1);
+        const auto found = n::Meet::face_projection(in.face, in.twist, {0.0, 0.0, 1.0}, 0.1);
         show("out", found);
     }
     {
@@ -1557,12 +1557,12 @@ void data(const Inputs &in) {
     {
         begin("surface_project_curve_with");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
-        const auto found = n::Meet::projection(wall, in.twist, std::array<double, 3>{1.0, 0.2, 0.1}, 0.01, watched());
+        const auto found = n::Meet::projection(wall, in.twist, {1.0, 0.2, 0.1}, 0.01, watched());
         show("out", found);
     }
     {
         begin("face_project_curve_with");
-        const auto found = n::Meet::face_projection(in.face, in.twist, std::array<double, 3>{0.0, 0.0, 1.0}, 0.1, watched());
+        const auto found = n::Meet::face_projection(in.face, in.twist, {0.0, 0.0, 1.0}, 0.1, watched());
         show("out", found);
     }
     {

@@ -301,13 +301,13 @@ class Face:
         from ._models import Model  # which is made of faces
         return Model.split(self, curves, tolerance, progress=progress, work=work)
 
-    def project_curve(self, curve: Spline, direction: ArrayLike, tolerance: float, *, progress: Progress = None,
-                      work: Optional[int] = None) -> Meet:
-        """A curve projected onto the face along a direction (3,): what of Spline.project_curve() on its surface is inside of
-        its loops."""
-        along = exactly(direction, 3, "direction")
+    def project_curve(self, curve: Spline, direction: Optional[ArrayLike], tolerance: float, *,
+                      progress: Progress = None, work: Optional[int] = None) -> Meet:
+        """A curve projected onto the face along a direction (3,) or, with None, normally: what of Spline.project_curve() on its
+        surface is inside of its loops."""
+        along = if_given(direction, 3, "direction")
         return Meet._made(watched(lib.nurbs_face_project_curve, progress, work), self._handle, handle_of(curve),
-                          along.ctypes.data, tolerance)
+                          address(along), tolerance)
 
     def trim(self, surface: Spline, side: int, tolerance: float, *, progress: Progress = None,
              work: Optional[int] = None) -> Model:

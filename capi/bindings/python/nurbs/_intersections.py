@@ -230,12 +230,13 @@ class Intersections(SplineBase):
         return Meet._made(watched(lib.nurbs_surface_intersections, progress, work), self._handle, handle_of(other),
                           tolerance)
 
-    def project_curve(self, curve: SplineBase, direction: ArrayLike, tolerance: float, *, progress: Progress = None,
-                      work: Optional[int] = None) -> Meet:
-        """A curve projected onto a surface along a direction (3,): all curves on it, with proof that there are no others. On
-        each branch the parameter t of the curve rises: Meet.branch_second() has (t, distance along the direction)."""
+    def project_curve(self, curve: SplineBase, direction: Optional[ArrayLike], tolerance: float, *,
+                      progress: Progress = None, work: Optional[int] = None) -> Meet:
+        """A curve projected onto a surface along a direction (3,) or, with None, normally, to all orthogonal feet: all curves
+        on it, with proof that there are no others. On each branch the parameter t of the curve rises: Meet.branch_second() has
+        (t, distance along the direction, or along the normal of the surface)."""
         from ._meets import Meet
 
-        along = exactly(direction, 3, "direction")
+        along = if_given(direction, 3, "direction")
         return Meet._made(watched(lib.nurbs_surface_project_curve, progress, work), self._handle, handle_of(curve),
-                          along.ctypes.data, tolerance)
+                          address(along), tolerance)

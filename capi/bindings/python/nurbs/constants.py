@@ -304,7 +304,7 @@ NURBS_NODE_SEAM = 2  # it closes there on an axis that is not periodic: the bran
 NURBS_NODE_TOUCH = 3  # a part within the tolerance in which branches are not told apart
 NURBS_NODE_UNDECIDED = 4  # a part in which it is left open what there is
 NURBS_NODE_EDGE = 5  # an edge, a corner or a pole of faces of a model, where another branch goes on
-NURBS_NODE_FOLD = 6  # the surface folds as seen along the direction of a projection: another sheet goes on
+NURBS_NODE_FOLD = 6  # the surface folds as seen along the direction of a projection, or feet do: another sheet goes on
 NURBS_NODE_OVERLAP = 7  # a region in which two surfaces are within the tolerance of each other; no branch ends there
 
 # --- Kinds of contours

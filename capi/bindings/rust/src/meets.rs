@@ -2,7 +2,7 @@
 // Generated from include/nurbs/nurbs.h and capi/bindings/table by: python3 cmake/interface/generate.py . - do not edit.
 //! Curves where shapes meet, and the nodes where these end; every answer says whether it is complete.
 
-use crate::arrays::{exactly, rows, Records};
+use crate::arrays::{exactly, if_given, rows, Records};
 use crate::call::Call;
 use crate::error::{check, Result};
 use crate::face::Face;
@@ -320,10 +320,11 @@ impl Meet {
         })
     }
 
-    /// A curve projected onto a surface along a direction: all curves on it, proven to be all.
-    pub fn projection(g: &Spline, curve: &Spline, direction: &[f64; 3], tolerance: f64) -> Result<Meet> {
+    /// A curve projected onto a surface along a direction, or normally: all curves on it, proven to be all.
+    pub fn projection(g: &Spline, curve: &Spline, direction: &[f64], tolerance: f64) -> Result<Meet> {
+        let direction = if_given(direction, 3, "direction")?;
         Meet::made(|out| unsafe {
-            sys::nurbs_surface_project_curve(g.raw(), curve.raw(), direction.as_ptr(), tolerance, out)
+            sys::nurbs_surface_project_curve(g.raw(), curve.raw(), direction, tolerance, out)
         })
     }
 
@@ -331,15 +332,16 @@ impl Meet {
     pub fn projection_with(
         g: &Spline,
         curve: &Spline,
-        direction: &[f64; 3],
+        direction: &[f64],
         tolerance: f64,
         call: &mut Call,
     ) -> Result<Meet> {
+        let direction = if_given(direction, 3, "direction")?;
         Meet::made(|out| unsafe {
             sys::nurbs_surface_project_curve_with(
                 g.raw(),
                 curve.raw(),
-                direction.as_ptr(),
+                direction,
                 tolerance,
                 call.options(),
                 out,
@@ -347,15 +349,11 @@ impl Meet {
         })
     }
 
-    /// A curve projected onto a face along a direction: all curves inside of its loops.
-    pub fn face_projection(
-        face: &Face,
-        curve: &Spline,
-        direction: &[f64; 3],
-        tolerance: f64,
-    ) -> Result<Meet> {
+    /// A curve projected onto a face along a direction, or normally: all curves inside of its loops.
+    pub fn face_projection(face: &Face, curve: &Spline, direction: &[f64], tolerance: f64) -> Result<Meet> {
+        let direction = if_given(direction, 3, "direction")?;
         Meet::made(|out| unsafe {
-            sys::nurbs_face_project_curve(face.raw(), curve.raw(), direction.as_ptr(), tolerance, out)
+            sys::nurbs_face_project_curve(face.raw(), curve.raw(), direction, tolerance, out)
         })
     }
 
@@ -363,15 +361,16 @@ impl Meet {
     pub fn face_projection_with(
         face: &Face,
         curve: &Spline,
-        direction: &[f64; 3],
+        direction: &[f64],
         tolerance: f64,
         call: &mut Call,
     ) -> Result<Meet> {
+        let direction = if_given(direction, 3, "direction")?;
         Meet::made(|out| unsafe {
             sys::nurbs_face_project_curve_with(
                 face.raw(),
                 curve.raw(),
-                direction.as_ptr(),
+                direction,
                 tolerance,
                 call.options(),
                 out,

@@ -927,7 +927,7 @@ pub const NURBS_NODE_TOUCH: i32 = 3;
 pub const NURBS_NODE_UNDECIDED: i32 = 4;
 /// an edge, a corner or a pole of faces of a model, where another branch goes on
 pub const NURBS_NODE_EDGE: i32 = 5;
-/// the surface folds as seen along the direction of a projection: another sheet goes on
+/// the surface folds as seen along the direction of a projection, or feet do: another sheet goes on
 pub const NURBS_NODE_FOLD: i32 = 6;
 /// a region in which two surfaces are within the tolerance of each other; no branch ends there
 pub const NURBS_NODE_OVERLAP: i32 = 7;
@@ -4107,8 +4107,10 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// A curve projected onto a surface along a direction: all curves in which the lines C(t) + h d / |d|
-    /// meet the surface, proven to be all.
+    /// A curve projected onto a surface, along a direction d or, without one, normally: all curves of the
+    /// projected points, proven to be all.
+    ///
+    /// May be null: `direction`.
     pub fn nurbs_surface_project_curve(
         g: *const nurbs,
         curve: *const nurbs,
@@ -4119,7 +4121,7 @@ extern "C" {
     /// nurbs_surface_project_curve() as a call that can be watched and ended, as
     /// nurbs_surface_sections_with().
     ///
-    /// May be null: `call`.
+    /// May be null: `direction`, `call`.
     pub fn nurbs_surface_project_curve_with(
         g: *const nurbs,
         curve: *const nurbs,
@@ -4128,9 +4130,11 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// A curve projected onto a face along a direction: what of nurbs_surface_project_curve() on its surface
-    /// is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face they end in
-    /// nodes BORDER.
+    /// A curve projected onto a face, along a direction or normally: what of nurbs_surface_project_curve() on
+    /// its surface is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face
+    /// they end in nodes BORDER.
+    ///
+    /// May be null: `direction`.
     pub fn nurbs_face_project_curve(
         face: *const nurbs_face,
         curve: *const nurbs,
@@ -4140,7 +4144,7 @@ extern "C" {
     ) -> nurbs_status;
     /// nurbs_face_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
     ///
-    /// May be null: `call`.
+    /// May be null: `direction`, `call`.
     pub fn nurbs_face_project_curve_with(
         face: *const nurbs_face,
         curve: *const nurbs,

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+// What is in a box of which the zeros of N - 1 equations in N unknowns are a graph over one coordinate.
+#pragma once
+
+#include "base/numbers.h"
+#include "intersect/contraction.h"
+#include "intersect/wide_part.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace nrb::intersect {
+
+// A zero on the border of a box.
+template <size_t N>
+struct GraphEnd {
+    Place<N> at{};         // places in the parts
+    size_t coordinate = 0; // the side on which it is
+    size_t side = 0;       // 0: the lower one
+    bool open = false;     // what the box is a part of ends there
+};
+
+enum class GraphVerdict {
+    nothing, // for certain
+    arc,     // one
+    open,    // the box is too large to tell
+};
+
+// As zeros are a graph whose differences have known signs, one place of the box at a zero, and the two where the curve through
+// it leaves the box, are all that has to be found. Box has
+//   chart: axis(), direction(), rho(), rho(i), shift(i), rise(i) as in CrossChart; noise(i), noise(): how far M F may be off
+//   side(i, end): where the box ends, as places in the part; length(i) of the part, in parts of its piece
+//   middle_step(), step_at(z): M F; tangent_at(z): along the zeros, of any length
+//   solve(i, z): Newton's method for F = 0 with coordinate i as it is, in the wide part; false: none is found.
+template <class Box, size_t N>
+class GraphArc {
+public:
+    using At = Place<N>;
+    using End = GraphEnd<N>;
+    using Sides = std::array<std::array<double, 2>, N>;
+
+    // parts: of the way between both ends, in as many places of which zeros are found. little: what is no longer, in parts of
+    // a piece, is nothing: arcs of the neighbours go on in each other there. probes: places where a zero is looked for.
+    GraphVerdict look(const Box &box, const Sides &sides, int parts, double little, int probes) {
+        box_ = &box;
+        sides_ = sides;
+        has_ends_ = false;
+        if (const std::optional<GraphVerdict> known = find_inside(little, probes)) {
+            return *known;
+        }
+        const double forward = box.chart.direction();
+        has_ends_ = find_end(-forward, ends_[0]) && find_end(forward, ends_[1]);
+        return look_between_ends(parts);
+    }
+    // The same again, where look() left it open.
+    GraphVerdict look_between_ends(int parts) {
+        if (!has_ends_) {
+            return GraphVerdict::open;
+        }
+        set_zeros(parts);
+        for (size_t i = 0; i < N; ++i) {
+            const bool ends = ends_[0].coordinate == i || ends_[1].coordinate == i;
+            if (changes(i) && (ends || !stays(i))) {
+                return GraphVerdict::open;
+            }
+        }
+        return GraphVerdict::arc;
+    }
+    [[nodiscard]] const std::array<End, 2> &ends() const noexcept { return ends_; }
+    // Zeros of the arc, by rising k.
+    [[nodiscard]] const std::vector<At> &zeros() const noexcept { return zeros_; }
+    // A zero in or beside the box, if one was met.
+    [[nodiscard]] const std::optional<At> &near() const noexcept { return near_; }
+    void forget() noexcept { near_.reset(); }
+    // Whether a coordinate may rise and fall.
+    [[nodiscard]] static bool changes(const Box &box, size_t coordinate) noexcept {
+        const Interval &rise = box.chart.rise(coordinate);
+        return rise.lower <= 0 && rise.upper >= 0;
+    }
+
+private:
+    static constexpr int most_sides = 6;
+    static constexpr double most_place = 1 + widening;
+
+    // x of [first, last] where a + b (x - x0) >= 0.
+    static void keep_where_positive(double a, double b, double x0, Interval &range) noexcept {
+        if (b == 0) {
+            range = a >= 0 ? range : Interval{1, 0};
+            return;
+        }
+        const double zero = x0 - a / b, room = 1e-14 * (1 + std::abs(zero));
+        if (b > 0) {
+            range.lower = std::max(range.lower, zero - room);
+        } else {
+            range.upper = std::min(range.upper, zero + room);
+        }
+    }
+    static bool is_empty(const Interval &range) noexcept { return !(range.lower <= range.upper); }
+    [[nodiscard]] bool changes(size_t coordinate) const noexcept { return changes(*box_, coordinate); }
+    [[nodiscard]] bool is_between_sides(const At &z) const noexcept {
+        for (size_t i = 0; i < N; ++i) {
+            if (!(z[i] >= sides_[i][0] && z[i] <= sides_[i][1])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // What is left below and above z0 of a range of coordinate k for zeros of the box, where M F is off by `off` times its noise; z0:
+    // any place, with the step M F there.
+    std::array<Interval, 2> clipped(const At &z0, const At &step, double off, const Interval &range) const {
+        const auto &chart = box_->chart;
+        const size_t k = chart.axis();
+        double fastest = 0, farthest = 0;
+        for (size_t i = 0; i < N; ++i) {
+            if (i != k) {
+                fastest = std::max({fastest, std::abs(chart.shift(i).lower), std::abs(chart.shift(i).upper)});
+                farthest = std::max({farthest, sides_[i][1] - z0[i], z0[i] - sides_[i][0]});
+            }
+        }
+        const double far = std::max(std::abs(range.lower - z0[k]), std::abs(range.upper - z0[k]));
+        const double reach = std::min(
+            farthest, 1.0001 * (largest(step) + off * chart.noise() + fastest * far) / (1 - chart.rho()));
+        std::array<Interval, 2> halves{Interval{range.lower, std::min(range.upper, z0[k])},
+                                       Interval{std::max(range.lower, z0[k]), range.upper}};
+        for (size_t h = 0; h < 2; ++h) {
+            for (size_t i = 0; i < N; ++i) {
+                if (i == k) {
+                    continue;
+                }
+                const double room = chart.rho(i) * reach + off * chart.noise(i) + 8 * eps;
+                const double at = z0[i] - step[i];
+                const double low = -chart.shift(i).upper, high = -chart.shift(i).lower;
+                keep_where_positive(at + room - sides_[i][0], h == 1 ? high : low, z0[k], halves[h]);
+                keep_where_positive(sides_[i][1] - at + room, h == 1 ? -low : -high, z0[k], halves[h]);
+            }
+        }
+        return halves;
+    }
+
+    // A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by, is
+    // nothing: arcs of the neighbours go on in each other there. So is what is in the box by rounding alone of a curve that is known
+    // beside it: bounds of rounding are far larger than what it makes of places, and boxes near touches have many sides that are no
+    // farther away than these.
+    std::optional<GraphVerdict> find_inside(double little, int probes) {
+        const auto &chart = box_->chart;
+        const size_t k = chart.axis();
+        const double least = little / box_->length(k);
+        At z;
+        z.fill(0.5);
+        At step = box_->middle_step();
+        ranges_.clear();
+        add_ranges(clipped(z, step, 1, {sides_[k][0], sides_[k][1]}), true, 0);
+        for (int probe = 0; probe < probes && !ranges_.empty(); ++probe) {
+            const Interval range = ranges_.back();
+            ranges_.pop_back();
+            const double next = range.lower / 2 + range.upper / 2;
+            for (size_t i = 0; i < N; ++i) {
+                const double along = -(chart.shift(i).lower / 2 + chart.shift(i).upper / 2) * (next - z[k]);
+                z[i] = i == k ? z[k] : std::clamp(z[i] - step[i] + along, -widening, most_place);
+            }
+            z[k] = next;
+            const bool found = box_->solve(k, z);
+            step = box_->step_at(z);
+            if (found) {
+                near_ = z;
+            }
+            if (found && is_between_sides(z)) {
+                inside_ = z;
+                return std::nullopt;
+            }
+            add_ranges(clipped(z, step, found ? 0 : 1, range), !found, least);
+        }
+        return ranges_.empty() ? GraphVerdict::nothing : GraphVerdict::open;
+    }
+    // joined: what is between both is not excluded. What is no longer than the least is nothing.
+    void add_ranges(const std::array<Interval, 2> &halves, bool joined, double least) {
+        if (joined && !is_empty(halves[0]) && !is_empty(halves[1])) {
+            ranges_.push_back({halves[0].lower, halves[1].upper});
+            return;
+        }
+        for (const Interval &half : halves) {
+            if (!is_empty(half) && half.upper - half.lower > least) {
+                ranges_.push_back(half);
+            }
+        }
+    }
+
+    // Where the tangent at inside_ leaves the box; end is on that side. way: 1 or -1, of coordinate k.
+    At leave(double way, End &end) const {
+        const At along = box_->tangent_at(inside_);
+        const double unit = way / along[box_->chart.axis()];
+        double first = infinity;
+        for (size_t i = 0; i < N; ++i) {
+            const double speed = unit * along[i];
+            const size_t side = speed > 0 ? 1 : 0;
+            const double time = (sides_[i][side] - inside_[i]) / speed;
+            if (speed != 0 && time < first) {
+                first = time;
+                end.coordinate = i;
+                end.side = side;
+            }
+        }
+        At place{};
+        for (size_t i = 0; i < N; ++i) {
+            place[i] = std::clamp(inside_[i] + first * unit * along[i], -widening, most_place);
+        }
+        return place;
+    }
+
+    // Moves an end to the other side beyond which it is farthest, if it is beyond any by more than rounding: sides meet in corners.
+    bool is_beyond(End &end) const {
+        double beyond = box_->chart.noise() + 8 * eps;
+        const size_t own = end.coordinate;
+        bool any = false;
+        for (size_t i = 0; i < N; ++i) {
+            for (size_t side = 0; side < 2; ++side) {
+                const double by = (side == 1 ? 1 : -1) * (end.at[i] - sides_[i][side]);
+                if (i != own && by > beyond) {
+                    beyond = by;
+                    end.coordinate = i;
+                    end.side = side;
+                    any = true;
+                }
+            }
+        }
+        return any;
+    }
+
+    // Along the tangent to the side that it meets first, and on that side to the curve; then to any other side beyond which that
+    // is.
+    bool find_end(double way, End &end) const {
+        const size_t k = box_->chart.axis();
+        end = {};
+        end.at = leave(way, end);
+        for (int tries = 0; tries < most_sides; ++tries) {
+            end.at[end.coordinate] = sides_[end.coordinate][end.side];
+            if (!box_->solve(end.coordinate, end.at)) {
+                return false;
+            }
+            if (!is_beyond(end)) {
+                return way * (end.at[k] - inside_[k]) >= 0;
+            }
+        }
+        return false;
+    }
+
+    // Between zeros a coordinate rises as D says.
+    [[nodiscard]] bool stays(size_t coordinate) const {
+        const Interval &rise = box_->chart.rise(coordinate);
+        const size_t k = box_->chart.axis();
+        for (size_t i = 0; i + 1 < zeros_.size(); ++i) {
+            const double from = zeros_[i][coordinate], to = zeros_[i + 1][coordinate],
+                         far = zeros_[i + 1][k] - zeros_[i][k], wide = rise.upper - rise.lower;
+            const double up = std::max((to - from - rise.lower * far) / wide, 0.0),
+                         down = std::max((rise.upper * far - (to - from)) / wide, 0.0);
+            if (!(from + std::max(rise.upper, 0.0) * up <= sides_[coordinate][1]) ||
+                !(from + std::min(rise.lower, 0.0) * down >= sides_[coordinate][0])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // Both ends, and inside_ or what divides the way between them.
+    void set_zeros(int parts) {
+        const size_t k = box_->chart.axis();
+        zeros_ = {ends_[0].at, ends_[1].at};
+        if (zeros_[0][k] > zeros_[1][k]) {
+            std::swap(zeros_[0], zeros_[1]);
+        }
+        const At first = zeros_[0], last = zeros_[1];
+        zeros_.pop_back();
+        for (int i = 1; i < parts; ++i) {
+            const double share = static_cast<double>(i) / parts;
+            At z{};
+            for (size_t c = 0; c < N; ++c) {
+                z[c] = (1 - share) * first[c] + share * last[c];
+            }
+            if (box_->solve(k, z)) {
+                zeros_.push_back(z);
+            }
+        }
+        if (parts <= 1) {
+            zeros_.push_back(inside_);
+        }
+        zeros_.push_back(last);
+    }
+
+    const Box *box_ = nullptr;
+    Sides sides_{}; // of the box, or of what arcs along borders may be in
+    At inside_{};   // a zero in the box
+    std::optional<At> near_;
+    bool has_ends_ = false;
+    std::array<End, 2> ends_{};
+    std::vector<Interval> ranges_; // of k, in which there may be zeros
+    std::vector<At> zeros_;
+};
+
+// How far places of an end differ that are found in different boxes: as much as rounding makes of them, which is a small part
+// of its bounds. On a side the coordinate k is off by what that makes of the way to the side.
+template <size_t N, class Chart>
+Place<N> noise_of_end(const Chart &chart, const GraphEnd<N> &end) noexcept {
+    constexpr double part = 0.25, most_noise = 0x1p-8;
+    const size_t k = chart.axis();
+    Place<N> noise{};
+    for (size_t i = 0; i < N; ++i) {
+        noise[i] = i == k ? 0 : part * chart.noise(i);
+    }
+    if (end.coordinate != k) {
+        const Interval &rise = chart.rise(end.coordinate);
+        noise[k] = std::min(noise[end.coordinate] / std::abs(rise.lower / 2 + rise.upper / 2), most_noise);
+        for (size_t i = 0; i < N; ++i) {
+            noise[i] +=
+                i == k ? 0
+                       : std::max(std::abs(chart.rise(i).lower), std::abs(chart.rise(i).upper)) * noise[k];
+        }
+    }
+    return noise;
+}
+
+// Newton's method for N - 1 equations with one coordinate as it is; step(z, out): the step there, false: there is none. noise: of
+// steps. What is left after a step is about its square, or what rounding leaves.
+template <size_t N, class Step>
+bool newton_on_side(size_t fixed, double noise, Place<N> &z, Step &&step_at) {
+    constexpr int most_steps = 16;
+    double last = infinity;
+    int clamped = 0;
+    for (int i = 0; i < most_steps; ++i) {
+        Place<N> step{};
+        if (!step_at(z, step)) {
+            return false;
+        }
+        const double size = largest(step);
+        bool is_clamped = false;
+        for (size_t k = 0; k < N; ++k) {
+            const double next = z[k] - step[k], inside = std::clamp(next, -widening, 1 + widening);
+            is_clamped = is_clamped || inside != next;
+            z[k] = k == fixed ? z[k] : inside;
+        }
+        if (!is_clamped && (size <= 0x1p-27 || (size >= last / 2 && size <= noise / 4))) {
+            return true;
+        }
+        clamped += is_clamped ? 1 : 0;
+        if (clamped == 3 || (size >= last && i > 1)) {
+            return false;
+        }
+        last = size;
+    }
+    return false;
+}
+
+} // namespace nrb::intersect
