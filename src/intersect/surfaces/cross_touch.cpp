@@ -132,6 +132,11 @@ void CrossTouch::narrow(std::array<Interval, 4> &ranges) const {
     }
 }
 
+bool CrossTouch::is_spot(const std::array<Interval, 4> &ranges) const {
+    Cells cells;
+    return add_parts(0, ranges, cells) && add_parts(1, ranges, cells) && are_small(cells, tolerance_);
+}
+
 bool CrossTouch::is_touch(const std::array<Interval, 4> &ranges) const {
     Cells cells;
     if (!add_parts(0, ranges, cells) || !add_parts(1, ranges, cells) || !are_small(cells, small_part) ||

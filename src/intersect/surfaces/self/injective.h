@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Rectangles of the domain of a surface on which it is proven to take no point twice.
+#pragma once
+
+#include "intersect/surfaces/self/cones.h"
+
+#include <map>
+
+namespace nrb::intersect {
+
+// Places along both axes: the index of a piece plus the place in it, which run on beyond the ends of the domain where the surface
+// closes.
+using PieceRect = std::array<Interval, 2>;
+
+// Rectangles are proven by the cones of derivatives in them (cones.h); knots, and edges less than folded flat, may be inside. Of
+// surfaces that close, or end in one point, to rounding only, all holds but for places that rounding makes one.
+class InjectiveParts {
+public:
+    explicit InjectiveParts(CrossGround &ground);
+
+    // Whether it is proven; of rectangles that reach over many pieces it is not.
+    [[nodiscard]] bool is_proven(const PieceRect &rect);
+    // Blocks of whole pieces that were proven first: which one a piece is in; -1: none.
+    [[nodiscard]] int64_t block_of(const pieces::PieceGrid::Index &index) const;
+    // Whether all of the surface is one.
+    [[nodiscard]] bool is_all_proven() const;
+
+private:
+    // What of a piece a rectangle holds along an axis.
+    struct Part {
+        int64_t index;
+        Interval places;
+    };
+    struct Pole {
+        size_t axis, end; // of the side that is one point
+    };
+    // Cells that are made for a rectangle, and those that are kept.
+    struct Cells {
+        std::deque<CrossCell> made;
+        std::vector<CrossCell *> all;
+    };
+
+    bool is_proven(const PieceRect &rect, size_t most_cells);
+    bool is_injective(const PieceRect &rect, size_t most_cells);
+    bool is_injective_at_pole(const PieceRect &rect, const Pole &pole, size_t most_cells);
+    bool set_columns(const std::array<std::vector<Part>, 2> &parts, size_t axis, int sectors, Cells &cells,
+                     std::vector<std::vector<CrossCell *>> &columns);
+    [[nodiscard]] std::vector<Pole> poles_of(const PieceRect &rect) const;
+    [[nodiscard]] bool cut(const PieceRect &rect, size_t most_cells,
+                           std::array<std::vector<Part>, 2> &parts) const;
+    CrossCell *cell(const Part &along_u, const Part &along_v, Cells &cells);
+    void set_blocks();
+    [[nodiscard]] double count(size_t axis) const noexcept {
+        return static_cast<double>(ground_.grid.count(static_cast<int>(axis)));
+    }
+
+    CrossGround &ground_;
+    std::map<int64_t, CrossCell> whole_; // by pieces
+    std::map<std::array<double, 4>, bool> known_;
+    std::vector<int64_t> block_; // of pieces
+};
+
+} // namespace nrb::intersect
