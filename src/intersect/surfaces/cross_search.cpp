@@ -186,14 +186,22 @@ void CrossSearch::look(const Pair &pair) {
 bool CrossSearch::is_of_one_surface(const Pair &pair) {
     switch (self_->look(*pair.a, *pair.b)) {
     case SelfPairs::Verdict::touching:
-        side_by_side_.push_back(pair);
+        are_in_one_place(pair) ? add(pair) : side_by_side_.push_back(pair);
         return true;
     case SelfPairs::Verdict::one_sheet:
         return true;
+    case SelfPairs::Verdict::near:
+        are_in_one_place(pair) ? add(pair) : void();
+        return are_in_one_place(pair);
     case SelfPairs::Verdict::apart:
         return false;
     }
     return false;
+}
+
+// Whether they are in one place, as far as the tolerance tells.
+bool CrossSearch::are_in_one_place(const Pair &pair) const noexcept {
+    return std::max(pair.a->size(), pair.b->size()) <= tolerance_ / 8;
 }
 
 // How far both reach on either side of a plane; less than 0: they are apart along its normal.
@@ -290,9 +298,9 @@ void CrossSearch::halve(const Pair &pair, bool first) {
     }
 }
 
-// What is side by side has no charts, as a surface meets itself there. It is told to the tolerance.
+// What is side by side has no charts, as a surface meets itself there.
 void CrossSearch::halve_both(const Pair &pair) {
-    const double small = std::max(4 * (pair.a->piece().error + pair.b->piece().error), tolerance_ / 16);
+    const double small = 4 * (pair.a->piece().error + pair.b->piece().error);
     const auto halves = [&](CrossCell &cell, CrossSide &side) -> std::array<CrossCell *, 2> {
         cell.prepare(); // so that both sides have the same parts
         if (cell.size() > small && cell.split(side.parts)) {

@@ -67,6 +67,7 @@ private:
     void divide(PairCell &a, PairCell &b);
     void look(const Pair &pair);
     bool is_of_one_surface(const Pair &pair);
+    [[nodiscard]] bool are_in_one_place(const Pair &pair) const noexcept;
     void halve_both(const Pair &pair);
     void halve(const Pair &pair, bool first);
     void look_at_flat(Pair pair);

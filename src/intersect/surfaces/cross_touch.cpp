@@ -133,8 +133,9 @@ void CrossTouch::narrow(std::array<Interval, 4> &ranges) const {
 }
 
 bool CrossTouch::is_spot(const std::array<Interval, 4> &ranges) const {
+    const double most = 16 * std::sqrt(tolerance_);
     Cells cells;
-    return add_parts(0, ranges, cells) && add_parts(1, ranges, cells) && are_small(cells, tolerance_);
+    return add_parts(0, ranges, cells) && add_parts(1, ranges, cells) && are_small(cells, most);
 }
 
 bool CrossTouch::is_touch(const std::array<Interval, 4> &ranges) const {

@@ -11,13 +11,9 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr size_t most_of_pairs = 16; // cells that a rectangle may reach over
+constexpr size_t most_of_pairs = 16; // parts that a rectangle may reach over
 constexpr size_t most_at_pole = 64;  // the same at a side that is one point
 constexpr int most_sectors = 16;     // of a piece there
-
-bool is_all_of_piece(const Interval &places) noexcept {
-    return places.lower == 0 && places.upper == 1;
-}
 
 } // namespace
 
@@ -65,7 +61,7 @@ bool InjectiveParts::is_proven(const PieceRect &rect) {
     return is_proven(rect, most_of_pairs);
 }
 
-bool InjectiveParts::is_proven(const PieceRect &rect, size_t most_cells) {
+bool InjectiveParts::is_proven(const PieceRect &rect, size_t most_parts) {
     const std::array<double, 4> key{rect[0].lower, rect[0].upper, rect[1].lower, rect[1].upper};
     if (const auto known = known_.find(key); known != known_.end()) {
         return known->second;
@@ -73,14 +69,14 @@ bool InjectiveParts::is_proven(const PieceRect &rect, size_t most_cells) {
     const std::vector<Pole> poles = poles_of(rect);
     bool proven = false;
     if (poles.empty()) {
-        proven = is_injective(rect, most_cells);
+        proven = is_injective(rect, most_parts);
     } else if (poles.size() == 1) {
         const size_t other = 1 - poles[0].axis;
         PieceRect ring = rect;
         ring[other] = {0, count(other)};
         const bool all = ring[other].lower == rect[other].lower && ring[other].upper == rect[other].upper;
-        proven = (!all && is_proven(ring, most_cells)) ||
-                 is_injective_at_pole(rect, poles[0], std::max(most_cells, most_at_pole));
+        proven = (!all && is_proven(ring, most_parts)) ||
+                 is_injective_at_pole(rect, poles[0], std::max(most_parts, most_at_pole));
     }
     known_.emplace(key, proven);
     return proven;
@@ -101,11 +97,11 @@ std::vector<InjectiveParts::Pole> InjectiveParts::poles_of(const PieceRect &rect
 }
 
 // False: the surface ends or jumps inside, or these are too many.
-bool InjectiveParts::cut(const PieceRect &rect, size_t most_cells,
+bool InjectiveParts::cut(const PieceRect &rect, size_t most_parts,
                          std::array<std::vector<Part>, 2> &parts) const {
     for (size_t k = 0; k < 2; ++k) {
         const int64_t n = ground_.grid.count(static_cast<int>(k));
-        if (!(rect[k].upper - rect[k].lower <= static_cast<double>(most_cells) + 1)) {
+        if (!(rect[k].upper - rect[k].lower <= static_cast<double>(most_parts) + 1)) {
             return false;
         }
         for (auto i = static_cast<int64_t>(std::floor(rect[k].lower)); static_cast<double>(i) < rect[k].upper;
@@ -119,62 +115,51 @@ bool InjectiveParts::cut(const PieceRect &rect, size_t most_cells,
             parts[k].push_back({index, places});
         }
     }
-    return parts[0].size() * parts[1].size() <= most_cells;
+    return parts[0].size() * parts[1].size() <= most_parts;
 }
 
-// Null: nothing is known of its derivatives.
-CrossCell *InjectiveParts::cell(const Part &along_u, const Part &along_v, Cells &cells) {
-    const pieces::PieceGrid::Index index{along_u.index, along_v.index};
-    const CrossPiece *const piece = ground_.piece(index);
-    if (piece == nullptr) {
-        return nullptr;
-    }
-    const std::array<Interval, 2> places{along_u.places, along_v.places};
-    CrossCell *made = nullptr;
-    if (is_all_of_piece(places[0]) && is_all_of_piece(places[1])) {
-        made = &whole_.try_emplace(ground_.grid.piece(index), *piece, places).first->second;
-    } else {
-        made = &cells.made.emplace_back(*piece, places);
-        count_work(4 * piece->piece.coefficients() * (piece->degrees[0] + piece->degrees[1] + 2));
-    }
-    return made->prepare() ? made : nullptr;
-}
-
-bool InjectiveParts::is_injective(const PieceRect &rect, size_t most_cells) {
-    std::array<std::vector<Part>, 2> parts;
-    if (!cut(rect, most_cells, parts)) {
+// False: weights are not positive, or there are no derivatives.
+bool InjectiveParts::add(const Part &along_u, const Part &along_v, std::vector<Tangents> &parts) const {
+    const CrossPiece *const piece = ground_.piece({along_u.index, along_v.index});
+    if (piece == nullptr || piece->degrees[0] == 0 || piece->degrees[1] == 0) {
         return false;
     }
-    Cells cells;
+    parts.emplace_back(*piece, std::array<Interval, 2>{along_u.places, along_v.places});
+    return true;
+}
+
+bool InjectiveParts::is_injective(const PieceRect &rect, size_t most_parts) const {
+    std::array<std::vector<Part>, 2> parts;
+    if (!cut(rect, most_parts, parts)) {
+        return false;
+    }
+    std::vector<Tangents> all;
     for (const Part &along_u : parts[0]) {
         for (const Part &along_v : parts[1]) {
-            CrossCell *const own = cell(along_u, along_v, cells);
-            if (own == nullptr) {
+            if (!add(along_u, along_v, all)) {
                 return false;
             }
-            cells.all.push_back(own);
         }
     }
-    return are_cones_apart(cells.all);
+    return are_cones_apart(all);
 }
 
 // In more and more sectors, in which directions differ less.
-bool InjectiveParts::is_injective_at_pole(const PieceRect &rect, const Pole &pole, size_t most_cells) {
+bool InjectiveParts::is_injective_at_pole(const PieceRect &rect, const Pole &pole, size_t most_parts) const {
     std::array<std::vector<Part>, 2> parts;
     const size_t other = 1 - pole.axis;
-    if (!cut(rect, most_cells, parts)) {
+    if (!cut(rect, most_parts, parts)) {
         return false;
+    }
+    if (pole.end == 1) {
+        std::ranges::reverse(parts[pole.axis]);
     }
     const bool closed =
         rect[other].lower == 0 && rect[other].upper == count(other) && ground_.borders.wraps(other);
     for (int sectors = 1; sectors <= most_sectors; sectors *= 2) {
-        Cells cells;
-        std::vector<std::vector<CrossCell *>> columns;
-        if (!set_columns(parts, pole.axis, sectors, cells, columns)) {
+        std::vector<std::vector<Tangents>> columns;
+        if (!set_columns(parts, pole.axis, sectors, columns)) {
             return false;
-        }
-        if (pole.end == 1) {
-            std::ranges::for_each(columns, [](auto &column) { std::ranges::reverse(column); });
         }
         if (are_polar_cones_apart(columns, pole.axis, pole.end, closed)) {
             return true;
@@ -184,7 +169,7 @@ bool InjectiveParts::is_injective_at_pole(const PieceRect &rect, const Pole &pol
 }
 
 bool InjectiveParts::set_columns(const std::array<std::vector<Part>, 2> &parts, size_t axis, int sectors,
-                                 Cells &cells, std::vector<std::vector<CrossCell *>> &columns) {
+                                 std::vector<std::vector<Tangents>> &columns) const {
     for (const Part &whole : parts[1 - axis]) {
         const double length = (whole.places.upper - whole.places.lower) / sectors;
         for (int s = 0; s < sectors; ++s) {
@@ -192,13 +177,11 @@ bool InjectiveParts::set_columns(const std::array<std::vector<Part>, 2> &parts, 
                               {whole.places.lower + s * length, s + 1 == sectors
                                                                     ? whole.places.upper
                                                                     : whole.places.lower + (s + 1) * length}};
-            std::vector<CrossCell *> &column = columns.emplace_back();
+            std::vector<Tangents> &column = columns.emplace_back();
             for (const Part &part : parts[axis]) {
-                CrossCell *const own = axis == 0 ? cell(part, sector, cells) : cell(sector, part, cells);
-                if (own == nullptr) {
+                if (!(axis == 0 ? add(part, sector, column) : add(sector, part, column))) {
                     return false;
                 }
-                column.push_back(own);
             }
         }
     }

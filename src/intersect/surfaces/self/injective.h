@@ -34,28 +34,21 @@ private:
     struct Pole {
         size_t axis, end; // of the side that is one point
     };
-    // Cells that are made for a rectangle, and those that are kept.
-    struct Cells {
-        std::deque<CrossCell> made;
-        std::vector<CrossCell *> all;
-    };
-
-    bool is_proven(const PieceRect &rect, size_t most_cells);
-    bool is_injective(const PieceRect &rect, size_t most_cells);
-    bool is_injective_at_pole(const PieceRect &rect, const Pole &pole, size_t most_cells);
-    bool set_columns(const std::array<std::vector<Part>, 2> &parts, size_t axis, int sectors, Cells &cells,
-                     std::vector<std::vector<CrossCell *>> &columns);
+    bool is_proven(const PieceRect &rect, size_t most_parts);
+    [[nodiscard]] bool is_injective(const PieceRect &rect, size_t most_parts) const;
+    [[nodiscard]] bool is_injective_at_pole(const PieceRect &rect, const Pole &pole, size_t most_parts) const;
+    bool set_columns(const std::array<std::vector<Part>, 2> &parts, size_t axis, int sectors,
+                     std::vector<std::vector<Tangents>> &columns) const;
     [[nodiscard]] std::vector<Pole> poles_of(const PieceRect &rect) const;
-    [[nodiscard]] bool cut(const PieceRect &rect, size_t most_cells,
+    [[nodiscard]] bool cut(const PieceRect &rect, size_t most_parts,
                            std::array<std::vector<Part>, 2> &parts) const;
-    CrossCell *cell(const Part &along_u, const Part &along_v, Cells &cells);
+    bool add(const Part &along_u, const Part &along_v, std::vector<Tangents> &parts) const;
     void set_blocks();
     [[nodiscard]] double count(size_t axis) const noexcept {
         return static_cast<double>(ground_.grid.count(static_cast<int>(axis)));
     }
 
     CrossGround &ground_;
-    std::map<int64_t, CrossCell> whole_; // by pieces
     std::map<std::array<double, 4>, bool> known_;
     std::vector<int64_t> block_; // of pieces
 };

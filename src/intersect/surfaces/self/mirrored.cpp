@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/surfaces/self/mirrored.h"
 
+#include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/levels/trace/cluster_groups.h"
 #include "intersect/surfaces/arc_places.h"
 
 #include <algorithm>
@@ -152,13 +154,13 @@ public:
         }
     }
 
-    // Nodes of other kinds go where no branch has them.
+    // One of both becomes a node that goes, since no branch has it.
     void run() {
         for (size_t i = 0; i < meet_.nodes.size(); ++i) {
             for (size_t j = i + 1; j < meet_.nodes.size() && is_part(i); ++j) {
                 count_work(20);
                 if (is_part(j) && !(has_branch_[i] && has_branch_[j]) && are_mirrored(i, j)) {
-                    meet_.nodes[has_branch_[i] ? j : i].kind = NodeKind::border;
+                    has_branch_[i] ? take(j, i) : take(i, j);
                 }
             }
         }
@@ -176,6 +178,29 @@ private:
     [[nodiscard]] bool are_mirrored(size_t i, size_t j) const {
         const MeetNode &a = meet_.nodes[i], &b = meet_.nodes[j];
         return overlap(a.range, b.range_second) && overlap(a.range_second, b.range);
+    }
+    // What is told of one node, by the other one.
+    void take(size_t from, size_t to) {
+        MeetNode &less = meet_.nodes[from], &more = meet_.nodes[to];
+        for (size_t k = 0; k < 2; ++k) {
+            enclose(less.range_second[k], k, more.range[k]);
+            enclose(less.range[k], k, more.range_second[k]);
+        }
+        more.kind = less.kind == NodeKind::undecided ? less.kind : more.kind;
+        less.kind = NodeKind::border;
+    }
+    // Across the seam where that makes less.
+    void enclose(const Interval &own, size_t axis, Interval &all) const noexcept {
+        const double period = surface_.borders.wraps(axis) ? surface_.borders.period(axis) : 0;
+        Interval best{-infinity, infinity};
+        for (const double shift : {0.0, period, -period}) {
+            const Interval both{std::min(all.lower, own.lower + shift),
+                                std::max(all.upper, own.upper + shift)};
+            best = both.upper - both.lower < best.upper - best.lower ? both : best;
+        }
+        const Interval domain = domain_along(surface_.grid, axis);
+        all = period > 0 && best.upper - best.lower >= period ? domain : best;
+        all = all.lower < domain.lower ? Interval{all.lower + period, all.upper + period} : all;
     }
     [[nodiscard]] bool overlap(const std::array<Interval, 2> &a, const std::array<Interval, 2> &b) const {
         for (size_t k = 0; k < 2; ++k) {
@@ -216,14 +241,15 @@ void remove_mirrored(const ContactTracer &tracer, std::vector<ContactCurve> &cur
 
 void remove_mirrored(const CrossSurface &surface, const CrossTouch &touch, Meet &meet) {
     MirroredNodes nodes(surface, meet);
+    nodes.run();
     for (MeetNode &node : meet.nodes) {
         const std::array<Interval, 4> ranges{node.range[0], node.range[1], node.range_second[0],
                                              node.range_second[1]};
-        if (node.kind == NodeKind::touch && nodes.is_near_itself(node) && !touch.is_spot(ranges)) {
+        if (node.kind == NodeKind::touch && nodes.is_near_itself(node) &&
+            !(touch.is_touch(ranges) && touch.is_spot(ranges))) {
             node.kind = NodeKind::undecided;
         }
     }
-    nodes.run();
 }
 
 } // namespace nrb::intersect

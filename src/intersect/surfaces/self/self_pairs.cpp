@@ -78,7 +78,7 @@ SelfPairs::Verdict SelfPairs::look(const CrossCell &a, const CrossCell &b) {
     if ((touching || near) && injective_.is_proven(both)) {
         return Verdict::one_sheet;
     }
-    return touching ? Verdict::touching : Verdict::apart;
+    return touching ? Verdict::touching : near ? Verdict::near : Verdict::apart;
 }
 
 } // namespace nrb::intersect

@@ -13,7 +13,8 @@ public:
     enum class Verdict {
         one_sheet, // both are proven to have nothing in common but themselves
         touching, // not proven, and one and the same, or side by side: across knots, where the surface closes, or at a pole
-        apart, // not proven, but parts that are different places
+        near,  // not proven, and no farther from each other than they are large
+        apart, // not proven
     };
     Verdict look(const CrossCell &a, const CrossCell &b);
 
