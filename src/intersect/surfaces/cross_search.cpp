@@ -152,7 +152,7 @@ void CrossSearch::divide(PairCell &a, PairCell &b) {
     }
 }
 
-void CrossSearch::look(const Pair &pair) {
+void CrossSearch::look(Pair pair) {
     count_work(24);
     if (are_apart(*pair.a, *pair.b) || (self_ && is_of_one_surface(pair))) {
         return;
@@ -183,7 +183,7 @@ void CrossSearch::look(const Pair &pair) {
 }
 
 // Whether both are one sheet of a surface, or side by side on it.
-bool CrossSearch::is_of_one_surface(const Pair &pair) {
+bool CrossSearch::is_of_one_surface(Pair &pair) {
     switch (self_->look(*pair.a, *pair.b)) {
     case SelfPairs::Verdict::touching:
         are_in_one_place(pair) ? add(pair) : side_by_side_.push_back(pair);
@@ -191,6 +191,8 @@ bool CrossSearch::is_of_one_surface(const Pair &pair) {
     case SelfPairs::Verdict::one_sheet:
         return true;
     case SelfPairs::Verdict::near:
+        pair.no_contact =
+            true; // in sheets that part from each other there are many places that look like one
         are_in_one_place(pair) ? add(pair) : void();
         return are_in_one_place(pair);
     case SelfPairs::Verdict::apart:

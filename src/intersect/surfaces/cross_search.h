@@ -65,8 +65,8 @@ private:
     void find_pieces();
     void look_at(PairCell &a, PairCell &b);
     void divide(PairCell &a, PairCell &b);
-    void look(const Pair &pair);
-    bool is_of_one_surface(const Pair &pair);
+    void look(Pair pair);
+    bool is_of_one_surface(Pair &pair);
     [[nodiscard]] bool are_in_one_place(const Pair &pair) const noexcept;
     void halve_both(const Pair &pair);
     void halve(const Pair &pair, bool first);
