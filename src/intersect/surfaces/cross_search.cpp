@@ -193,8 +193,11 @@ bool CrossSearch::is_of_one_surface(Pair &pair) {
     case SelfPairs::Verdict::near:
         pair.no_contact =
             true; // in sheets that part from each other there are many places that look like one
-        are_in_one_place(pair) ? add(pair) : void();
-        return are_in_one_place(pair);
+        if (!are_in_one_place(pair)) {
+            return false;
+        }
+        add(pair);
+        return true;
     case SelfPairs::Verdict::apart:
         return false;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/surfaces/self/injective.h"
 
+#include "base/numbers.h"
 #include "base/watch.h"
 
 #include <algorithm>
@@ -14,6 +15,26 @@ namespace {
 constexpr size_t most_of_pairs = 16; // parts that a rectangle may reach over
 constexpr size_t most_at_pole = 64;  // the same at a side that is one point
 constexpr int most_sectors = 16;     // of a piece there
+
+// Whether the last layer of one along an axis is the first one of the other, to rounding.
+bool have_one_side(const CrossPiece &lower, const CrossPiece &upper, size_t axis) noexcept {
+    const auto row = static_cast<int64_t>(lower.degrees[1]) + 1, layers = lower.degrees[axis] + 1,
+               others = lower.degrees[1 - axis] + 1;
+    const double near = 2 * (lower.error + upper.error);
+    for (int64_t j = 0; j < others; ++j) {
+        const int64_t first = axis == 0 ? j : j * row,
+                      last = axis == 0 ? (layers - 1) * row + j : j * row + layers - 1;
+        const double w = lower.piece.weight(last);
+        bool are_one = std::abs(w - upper.piece.weight(first)) <= 64 * eps * w;
+        for (int c = 0; c < 3; ++c) {
+            are_one = are_one && std::abs(lower.piece.point(last)[c] - upper.piece.point(first)[c]) <= near;
+        }
+        if (!are_one) {
+            return false;
+        }
+    }
+    return true;
+}
 
 } // namespace
 
@@ -107,15 +128,34 @@ bool InjectiveParts::cut(const PieceRect &rect, size_t most_parts,
         for (auto i = static_cast<int64_t>(std::floor(rect[k].lower)); static_cast<double>(i) < rect[k].upper;
              ++i) {
             const auto start = static_cast<double>(i);
-            const int64_t index = (i % n + n) % n;
-            const Interval places{std::max(rect[k].lower - start, 0.0), std::min(rect[k].upper - start, 1.0)};
-            if (!parts[k].empty() && !ground_.borders.goes_on(k, index, false)) {
-                return false;
-            }
-            parts[k].push_back({index, places});
+            parts[k].push_back(
+                {(i % n + n) % n,
+                 {std::max(rect[k].lower - start, 0.0), std::min(rect[k].upper - start, 1.0)}});
         }
     }
-    return parts[0].size() * parts[1].size() <= most_parts;
+    return parts[0].size() * parts[1].size() <= most_parts && is_whole(parts);
+}
+
+bool InjectiveParts::is_whole(const std::array<std::vector<Part>, 2> &parts) const {
+    for (size_t k = 0; k < 2; ++k) {
+        for (size_t i = 1; i < parts[k].size(); ++i) {
+            const int64_t above = parts[k][i].index;
+            if (!ground_.borders.goes_on(k, above, false) && !is_closed_at(k, above, parts[1 - k])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool InjectiveParts::is_closed_at(size_t axis, int64_t above, const std::vector<Part> &along) const {
+    return above > 0 && std::ranges::all_of(along, [&](const Part &part) {
+               const auto piece_at = [&](int64_t index) {
+                   return axis == 0 ? ground_.piece({index, part.index}) : ground_.piece({part.index, index});
+               };
+               const CrossPiece *const lower = piece_at(above - 1), *const upper = piece_at(above);
+               return lower != nullptr && upper != nullptr && have_one_side(*lower, *upper, axis);
+           });
 }
 
 // False: weights are not positive, or there are no derivatives.

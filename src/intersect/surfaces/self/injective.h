@@ -42,6 +42,9 @@ private:
     [[nodiscard]] std::vector<Pole> poles_of(const PieceRect &rect) const;
     [[nodiscard]] bool cut(const PieceRect &rect, size_t most_parts,
                            std::array<std::vector<Part>, 2> &parts) const;
+    [[nodiscard]] bool is_whole(const std::array<std::vector<Part>, 2> &parts) const;
+    // Whether both sides of a break at which the surface may jump are one, as far as a rectangle goes.
+    [[nodiscard]] bool is_closed_at(size_t axis, int64_t above, const std::vector<Part> &along) const;
     bool add(const Part &along_u, const Part &along_v, std::vector<Tangents> &parts) const;
     void set_blocks();
     [[nodiscard]] double count(size_t axis) const noexcept {

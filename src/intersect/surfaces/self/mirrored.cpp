@@ -185,6 +185,8 @@ private:
         for (size_t k = 0; k < 2; ++k) {
             enclose(less.range_second[k], k, more.range[k]);
             enclose(less.range[k], k, more.range_second[k]);
+            more.at[k] = std::midpoint(more.range[k].lower, more.range[k].upper);
+            more.at_second[k] = std::midpoint(more.range_second[k].lower, more.range_second[k].upper);
         }
         more.kind = less.kind == NodeKind::undecided ? less.kind : more.kind;
         less.kind = NodeKind::border;
