@@ -5983,10 +5983,11 @@ NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nu
  * Branches and nodes are those of nurbs_surface_intersections() with the surface as both a and b, except that
  * - each is told once, with its two places in either order. A branch along which these change their order, so that its curve in
  *   the domain closes where that in space has gone round twice, is told as this, twice as long.
- * - TOUCH: also where the surface is within a box as small as the tolerance around a place at which branches end, and the two places
- *   of their points become one: the pinch point of a Whitney umbrella, a cusp.
- * - UNDECIDED: also where it turns back along a curve: a cuspidal edge, an edge that is folded flat, a line or a region that is all one
- *   point, and not a side; and regions in which it lies on itself, since there are no branches OVERLAP.
+ * - TOUCH: also a part, between two such planes and in a box of 16 times the root of the tolerance times the size of the surface, in
+ *   which both places of a branch become one, such as the pinch point of a Whitney umbrella; or all of which is one point, as that of
+ *   the axis through which a profile turns.
+ * - UNDECIDED: also where the surface turns back along a curve, a cuspidal edge or an edge that is folded flat, and parts that have no
+ *   area; and regions in which it lies on itself, since there are no branches OVERLAP.
  *
  * With complete 1 and no branches and nodes the surface is proven to be simple: it has no self-intersections. Costs: some
  * microseconds for each piece where that is so, and what nurbs_surface_intersections() costs, twice, elsewhere. Of a face that is what lies

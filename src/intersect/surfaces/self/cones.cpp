@@ -12,7 +12,7 @@ namespace nrb::intersect {
 
 namespace {
 
-using Rays = std::vector<Ray>;
+using Rays = std::vector<TangentRay>;
 
 // What products of quotients may be at most: less than 1 by far more than their rounding.
 constexpr double most_product = 0.999;
@@ -20,7 +20,7 @@ constexpr double most_product = 0.999;
 // Of directions; 0: there are none.
 Vector3 mean_of(const Rays &rays) noexcept {
     Vector3 sum;
-    for (const Ray &ray : rays) {
+    for (const TangentRay &ray : rays) {
         sum = sum + (1 / std::max(length(ray.way), 1e-300)) * ray.way;
     }
     return sum;
@@ -32,7 +32,7 @@ Interval quotient(const Interval &y, const Interval &x) noexcept {
 }
 
 // With what rays are off and products are rounded.
-Interval along(const Ray &ray, const Vector3 &vector, double size) noexcept {
+Interval along(const TangentRay &ray, const Vector3 &vector, double size) noexcept {
     const double at = dot(ray.way, vector), room = size * (ray.off + 4 * eps * length(ray.way));
     return {at - room, at + room};
 }
@@ -42,7 +42,7 @@ std::optional<Interval> quotients(const Rays &rays, const Vector3 &y, const Vect
     Interval all{infinity, -infinity};
     const double size_y = length(y), size_x = length(x);
     count_work(12 * std::ssize(rays));
-    for (const Ray &ray : rays) {
+    for (const TangentRay &ray : rays) {
         const Interval on_x = along(ray, x, size_x);
         if (!(on_x.lower > 0)) {
             return std::nullopt;
@@ -120,7 +120,7 @@ private:
             column[i].add_rays(axis_, std::nullopt, rays.away);
             column[i].add_rays(1 - axis_, without, rays.round);
         }
-        for (Ray &ray : rays.away) {
+        for (TangentRay &ray : rays.away) {
             ray.way = (end_ == 0 ? 1 : -1) * ray.way;
         }
         return rays;

@@ -19,7 +19,7 @@ constexpr int most_sectors = 16;     // of a piece there
 // Whether the last layer of one along an axis is the first one of the other, to rounding.
 bool have_one_side(const CrossPiece &lower, const CrossPiece &upper, size_t axis) noexcept {
     const int64_t row = lower.degrees[1] + 1, layers = lower.degrees[axis] + 1,
-               others = lower.degrees[1 - axis] + 1;
+                  others = lower.degrees[1 - axis] + 1;
     const double near = 2 * (lower.error + upper.error);
     for (int64_t j = 0; j < others; ++j) {
         const int64_t first = axis == 0 ? j : j * row,

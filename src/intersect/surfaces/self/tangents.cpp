@@ -56,7 +56,7 @@ Tangents::Tangents(const CrossPiece &piece, const std::array<Interval, 2> &place
     count_work(static_cast<int64_t>(count) * (4 * (degrees_[0] + degrees_[1]) + 16));
 }
 
-void Tangents::add_rays(size_t axis, std::optional<size_t> without, std::vector<Ray> &rays) const {
+void Tangents::add_rays(size_t axis, std::optional<size_t> without, std::vector<TangentRay> &rays) const {
     const auto p = static_cast<size_t>(degrees_[axis]), q = static_cast<size_t>(degrees_[1 - axis]);
     const size_t last = rational_ ? 2 * q : q;
     const size_t from = without == 0 ? 1 : 0, to = without == 1 ? last - 1 : last;
@@ -72,7 +72,7 @@ void Tangents::add_rays(size_t axis, std::optional<size_t> without, std::vector<
     count_work(static_cast<int64_t>(3 * p * (p + 1) * (q + 1) * (q + 1)));
 }
 
-void Tangents::add_legs(size_t axis, size_t first, size_t last, std::vector<Ray> &rays) const {
+void Tangents::add_legs(size_t axis, size_t first, size_t last, std::vector<TangentRay> &rays) const {
     for (size_t i = 0; i < static_cast<size_t>(degrees_[axis]); ++i) {
         for (size_t j = first; j <= last; ++j) {
             rays.push_back({points_[place(axis, i + 1, j)] - points_[place(axis, i, j)], 2 * error_});
@@ -81,7 +81,7 @@ void Tangents::add_legs(size_t axis, size_t first, size_t last, std::vector<Ray>
 }
 
 // The sum with i + j - 1 = power, and indices of layers along the other axis of which the sum is `layers`, divided by that of its factors.
-Ray Tangents::sum_of_chords(size_t axis, size_t power, size_t layers) const noexcept {
+TangentRay Tangents::sum_of_chords(size_t axis, size_t power, size_t layers) const noexcept {
     const auto p = static_cast<size_t>(degrees_[axis]), q = static_cast<size_t>(degrees_[1 - axis]);
     Vector3 sum;
     double factors = 0;
@@ -100,7 +100,7 @@ Ray Tangents::sum_of_chords(size_t axis, size_t power, size_t layers) const noex
 }
 
 void Tangents::add_rays_from(const Vector3 &point, size_t axis, std::optional<size_t> without,
-                             std::vector<Ray> &rays) const {
+                             std::vector<TangentRay> &rays) const {
     const auto p = static_cast<size_t>(degrees_[axis]), q = static_cast<size_t>(degrees_[1 - axis]);
     for (size_t i = without == 0 ? 1 : 0; i <= (without == 1 ? p - 1 : p); ++i) {
         for (size_t j = 0; j <= q; ++j) {

@@ -9,7 +9,7 @@
 namespace nrb::intersect {
 
 // A vector that is off by no more than a radius.
-struct Ray {
+struct TangentRay {
     Vector3 way;
     double off;
 };
@@ -25,10 +25,10 @@ public:
 
     // Those along an axis; `without`: the side of the other axis, 0 or 1, at which the derivative vanishes: rays are of the derivative
     // divided by the distance from it.
-    void add_rays(size_t axis, std::optional<size_t> without, std::vector<Ray> &rays) const;
+    void add_rays(size_t axis, std::optional<size_t> without, std::vector<TangentRay> &rays) const;
     // From a point to all of the part, but the control points on a side of an axis.
     void add_rays_from(const Vector3 &point, size_t axis, std::optional<size_t> without,
-                       std::vector<Ray> &rays) const;
+                       std::vector<TangentRay> &rays) const;
     [[nodiscard]] const Vector3 &corner(size_t end_u, size_t end_v) const noexcept {
         return points_[place(0, end_u * static_cast<size_t>(degrees_[0]),
                              end_v * static_cast<size_t>(degrees_[1]))];
@@ -40,8 +40,8 @@ private:
         const auto row = static_cast<size_t>(degrees_[1]) + 1;
         return axis == 0 ? i * row + j : j * row + i;
     }
-    void add_legs(size_t axis, size_t first, size_t last, std::vector<Ray> &rays) const;
-    [[nodiscard]] Ray sum_of_chords(size_t axis, size_t power, size_t layers) const noexcept;
+    void add_legs(size_t axis, size_t first, size_t last, std::vector<TangentRay> &rays) const;
+    [[nodiscard]] TangentRay sum_of_chords(size_t axis, size_t power, size_t layers) const noexcept;
 
     std::array<int, 2> degrees_;
     std::vector<Vector3> points_;
