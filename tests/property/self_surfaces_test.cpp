@@ -321,6 +321,19 @@ TEST(SelfSurfaces, JoinedPatches) {
     EXPECT_GE(branches, cases / 2);
 }
 
+// Parts that touch in a point, and along a curve, do so once.
+TEST(SelfSurfaces, JoinedTouches) {
+    const SplineData plane = quadratic_graph(0, 0, 0, 0, -1.1, -0.9);
+    const Crossing point =
+        expect_complete(joined(quadratic_graph(1, 0, 1, 0, -1.1, -0.9), plane), {0, 0, 1}, "a bowl");
+    EXPECT_EQ(point.found.nodes.size(), 1);
+    const Crossing line =
+        expect_complete(joined(plane, quadratic_graph(1, 0, 0, 0, -1.1, -0.9)), {1, 0}, "a trough");
+    ASSERT_EQ(line.kinds.size(), 1);
+    EXPECT_EQ(line.kinds[0], NURBS_BRANCH_TOUCH);
+    EXPECT_EQ(line.found.nodes.size(), 2);
+}
+
 // Turned inside out at random, so that sheets go through each other.
 SplineData crumpled(Random &random, double by) {
     const bool rational = random.chance(40);

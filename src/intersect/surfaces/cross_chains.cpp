@@ -3,7 +3,6 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/surfaces/cross_clusters.h"
 #include "intersect/surfaces/cross_spot.h"
 
 #include <algorithm>
@@ -22,9 +21,9 @@ constexpr size_t unmatched = static_cast<size_t>(-1);
 
 class CrossJoining {
 public:
-    CrossJoining(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+    CrossJoining(const CrossSurface &a, const CrossSurface &b, std::vector<CrossGroup> groups,
                  const CrossParts &found)
-        : surfaces_{&a, &b}, distances_(a, b), touch_(touch), found_(found),
+        : surfaces_{&a, &b}, distances_(a, b), groups_(std::move(groups)), found_(found),
           next_(found.arcs.size(), unmatched), last_(found.arcs.size(), unmatched),
           taken_(found.arcs.size(), false) {}
 
@@ -151,7 +150,6 @@ private:
     }
 
     void add_clusters() {
-        groups_ = cross_groups(*surfaces_[0], *surfaces_[1], touch_, found_.clusters);
         for (const CrossGroup &group : groups_) {
             add_node(group.touch ? NodeKind::touch : NodeKind::undecided, group.ranges);
         }
@@ -305,23 +303,22 @@ private:
 
     std::array<const CrossSurface *, 2> surfaces_;
     CrossDistances distances_;
-    const CrossTouch &touch_;
+    std::vector<CrossGroup> groups_; // of clusters: the first nodes
     const CrossParts &found_;
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
     std::array<std::vector<Begin>, 4> begins_;    // of what may go on, along each axis
     std::vector<size_t> next_, last_;             // arcs
     std::vector<bool> taken_;
-    std::vector<double> lengths_;    // of arcs
-    std::vector<CrossGroup> groups_; // of clusters: the first nodes
+    std::vector<double> lengths_; // of arcs
     int64_t loops_ = 0;
     CrossChains result_;
 };
 
 } // namespace
 
-CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, std::vector<CrossGroup> groups,
                          const CrossParts &found) {
-    return CrossJoining(a, b, touch, found).run();
+    return CrossJoining(a, b, std::move(groups), found).run();
 }
 
 } // namespace nrb::intersect

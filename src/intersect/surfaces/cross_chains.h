@@ -3,9 +3,9 @@
 #pragma once
 
 #include "intersect/levels/level_meet.h"
+#include "intersect/surfaces/cross_clusters.h"
 #include "intersect/surfaces/cross_search.h"
 #include "intersect/surfaces/cross_spot.h"
-#include "intersect/surfaces/cross_touch.h"
 
 namespace nrb::intersect {
 
@@ -22,8 +22,8 @@ struct CrossChains {
 };
 
 // An end goes on in the beginning next to it, no farther away than what rounding, and kinks beside the sides of boxes, make of
-// one place. Ends that do not go on are nodes: borders, clusters, which are one if they touch, or undecided.
-CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+// one place. Ends that do not go on are nodes: borders, groups of clusters, or undecided.
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, std::vector<CrossGroup> groups,
                          const CrossParts &found);
 
 } // namespace nrb::intersect

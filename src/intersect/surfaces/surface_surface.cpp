@@ -83,7 +83,8 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
         meet.limited = meet.limited || work_ended();
     }
     const std::vector<ContactCurve> contacts = contact_curves(tracer, found);
-    add_crossings(cross_chains(on_a, on_b, touch, found), found, search.frame(), on_a, on_b,
+    std::vector<CrossGroup> groups = cross_groups(on_a, on_b, touch, found.clusters);
+    add_crossings(cross_chains(on_a, on_b, std::move(groups), found), found, search.frame(), on_a, on_b,
                   CrossFitter(degrees_of(a), degrees_of(b), in_frame), meet);
     meet.periodic = {periodic_axes_of(a), periodic_axes_of(b)};
     add_branches(contacts, search.frame(), on_a, on_b, meet);
@@ -108,7 +109,7 @@ Meet surface_self_intersections(const Spline &g, double tolerance) {
     const CrossTouch touch(search.ground(0), search.ground(1), in_frame);
     std::vector<ContactCurve> contacts = contact_curves(tracer, found);
     remove_mirrored(tracer, contacts);
-    CrossChains chains = cross_chains(on, on, touch, found);
+    CrossChains chains = cross_chains(on, on, mirrored_groups(on, touch, found.clusters), found);
     remove_mirrored(on, found, chains);
     add_crossings(std::move(chains), found, search.frame(), on, on,
                   CrossFitter(degrees_of(g), degrees_of(g), in_frame), meet);

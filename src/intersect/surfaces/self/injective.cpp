@@ -39,11 +39,21 @@ bool have_one_side(const CrossPiece &lower, const CrossPiece &upper, size_t axis
 } // namespace
 
 InjectiveParts::InjectiveParts(CrossGround &ground) : ground_(ground) {
+    for (size_t k = 0; k < 2; ++k) {
+        for (int64_t i = 1; i < ground_.grid.count(static_cast<int>(k)); ++i) {
+            jumps_ = jumps_ || !ground_.borders.goes_on(k, i, false);
+        }
+    }
     set_blocks();
 }
 
 int64_t InjectiveParts::block_of(const pieces::PieceGrid::Index &index) const {
     return block_[static_cast<size_t>(index[0] * ground_.grid.count(1) + index[1])];
+}
+
+bool InjectiveParts::is_continuous(const PieceRect &rect) const {
+    std::array<std::vector<Part>, 2> parts;
+    return !jumps_ || cut(rect, most_at_pole, parts);
 }
 
 bool InjectiveParts::is_all_proven() const {

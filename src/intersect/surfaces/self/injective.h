@@ -20,6 +20,8 @@ public:
 
     // Whether it is proven; of rectangles that reach over many pieces it is not.
     [[nodiscard]] bool is_proven(const PieceRect &rect);
+    // Whether the surface jumps nowhere in a rectangle of a few pieces.
+    [[nodiscard]] bool is_continuous(const PieceRect &rect) const;
     // Blocks of whole pieces that were proven first: which one a piece is in; -1: none.
     [[nodiscard]] int64_t block_of(const pieces::PieceGrid::Index &index) const;
     // Whether all of the surface is one.
@@ -54,6 +56,7 @@ private:
     CrossGround &ground_;
     std::map<std::array<double, 4>, bool> known_;
     std::vector<int64_t> block_; // of pieces
+    bool jumps_ = false;         // whether it may do so anywhere
 };
 
 } // namespace nrb::intersect

@@ -160,7 +160,7 @@ public:
             for (size_t j = i + 1; j < meet_.nodes.size() && is_part(i); ++j) {
                 count_work(20);
                 if (is_part(j) && !(has_branch_[i] && has_branch_[j]) && are_mirrored(i, j)) {
-                    has_branch_[i] ? take(j, i) : take(i, j);
+                    has_branch_[j] ? take(i, j) : take(j, i);
                 }
             }
         }
@@ -223,7 +223,28 @@ private:
     std::vector<bool> has_branch_;
 };
 
+std::array<Interval, 4> mirrored(const std::array<Interval, 4> &ranges) noexcept {
+    return {ranges[2], ranges[3], ranges[0], ranges[1]};
+}
+
 } // namespace
+
+std::vector<CrossGroup> mirrored_groups(const CrossSurface &surface, const CrossTouch &touch,
+                                        std::vector<CrossCluster> clusters) {
+    for (CrossCluster &cluster : clusters) {
+        std::array<double, 4> at{};
+        std::ranges::transform(cluster.ranges, at.begin(),
+                               [](const Interval &x) { return std::midpoint(x.lower, x.upper); });
+        if (std::pair(at[2], at[3]) < std::pair(at[0], at[1])) {
+            cluster.ranges = mirrored(cluster.ranges);
+        }
+    }
+    std::vector<CrossGroup> groups = cross_groups(surface, surface, touch, clusters);
+    for (size_t i = 0, n = groups.size(); i < n; ++i) {
+        groups.push_back({mirrored(groups[i].ranges), groups[i].touch});
+    }
+    return groups;
+}
 
 void remove_mirrored(const CrossSurface &surface, const CrossParts &found, CrossChains &chains) {
     MirroredWays(surface, found, chains).run();

@@ -7,6 +7,10 @@
 
 namespace nrb::intersect {
 
+// Groups of clusters, of which each is taken with its places in one order, and then these with their places in the other order.
+std::vector<CrossGroup> mirrored_groups(const CrossSurface &surface, const CrossTouch &touch,
+                                        std::vector<CrossCluster> clusters);
+
 // Ways of chains. One that is its own mirror, along which places change their order, stays as it is, and goes round twice.
 void remove_mirrored(const CrossSurface &surface, const CrossParts &found, CrossChains &chains);
 

@@ -75,10 +75,13 @@ SelfPairs::Verdict SelfPairs::look(const CrossCell &a, const CrossCell &b) {
         near = near && length_of(both[k]) <= most_stretch * std::max(length_of(of_a[k]), length_of(of_b[k]));
     }
     touching = touching || have_one_pole(a, b);
-    if ((touching || near) && injective_.is_proven(both)) {
+    if ((!touching && !near) || !injective_.is_continuous(both)) {
+        return Verdict::apart;
+    }
+    if (injective_.is_proven(both)) {
         return Verdict::one_sheet;
     }
-    return touching ? Verdict::touching : near ? Verdict::near : Verdict::apart;
+    return touching ? Verdict::touching : Verdict::near;
 }
 
 } // namespace nrb::intersect
