@@ -53,26 +53,36 @@ bool have_one_pole(const CrossCell &a, const CrossCell &b) noexcept {
 
 } // namespace
 
+// Across the seam of an axis that closes where that is shorter.
+Interval SelfPairs::both_along(size_t axis, const Interval &a, const Interval &b) const noexcept {
+    const Interval both = hull(a, b);
+    if (!ground_.borders.wraps(axis)) {
+        return both;
+    }
+    const auto n = static_cast<double>(ground_.grid.count(static_cast<int>(axis)));
+    const double shift = a.lower < b.lower ? -n : n;
+    const Interval across = hull(a, {b.lower + shift, b.upper + shift});
+    return length_of(across) < length_of(both) ? across : both;
+}
+
+bool SelfPairs::are_in_one_block(const CrossCell &a, const CrossCell &b) const {
+    const int64_t block = injective_.block_of(a.piece().index);
+    return block >= 0 && block == injective_.block_of(b.piece().index);
+}
+
 SelfPairs::Verdict SelfPairs::look(const CrossCell &a, const CrossCell &b) {
     count_work(40);
-    const int64_t block = injective_.block_of(a.piece().index);
-    if (block >= 0 && block == injective_.block_of(b.piece().index)) {
+    if (are_in_one_block(a, b)) {
         return Verdict::one_sheet;
     }
     const PieceRect of_a = rect_of(a), of_b = rect_of(b);
     PieceRect both;
     bool touching = true, near = true;
     for (size_t k = 0; k < 2; ++k) {
-        const auto n = static_cast<double>(ground_.grid.count(static_cast<int>(k)));
-        both[k] = hull(of_a[k], of_b[k]);
-        if (ground_.borders.wraps(k) && length_of(both[k]) > n / 2) {
-            const double shift = of_a[k].lower < of_b[k].lower ? -n : n;
-            const Interval across = hull(of_a[k], {of_b[k].lower + shift, of_b[k].upper + shift});
-            both[k] = length_of(across) < length_of(both[k]) ? across : both[k];
-        }
-        const double lengths = length_of(of_a[k]) + length_of(of_b[k]);
-        touching = touching && length_of(both[k]) <= lengths + room_between;
-        near = near && length_of(both[k]) <= most_stretch * std::max(length_of(of_a[k]), length_of(of_b[k]));
+        both[k] = both_along(k, of_a[k], of_b[k]);
+        const double own = length_of(of_a[k]), other = length_of(of_b[k]), length = length_of(both[k]);
+        touching = touching && length <= own + other + room_between;
+        near = near && length <= most_stretch * std::max(own, other);
     }
     touching = touching || have_one_pole(a, b);
     if ((!touching && !near) || !injective_.is_continuous(both)) {

@@ -22,6 +22,9 @@ public:
     [[nodiscard]] bool is_one_sheet() const { return injective_.is_all_proven(); }
 
 private:
+    [[nodiscard]] Interval both_along(size_t axis, const Interval &a, const Interval &b) const noexcept;
+    [[nodiscard]] bool are_in_one_block(const CrossCell &a, const CrossCell &b) const;
+
     CrossGround &ground_;
     InjectiveParts injective_;
 };
