@@ -364,7 +364,7 @@ void expect_same(const Ways &a, const Ways &b, const char *law) {
 TEST(SelfSurfaces, LawsOfForms) {
     Random random(0x5e6);
     int64_t complete = 0, branches = 0;
-    const int64_t cases = scaled(10);
+    const int64_t cases = scaled(20);
     for (int64_t i = 0; i < cases; ++i) {
         SCOPED_TRACE(i);
         const SplineData data = crumpled(random, 0.16);
@@ -466,7 +466,7 @@ TEST(SelfSurfaces, NothingIsMissedThatMeshesShow) {
     constexpr int n = 28;
     constexpr double near = 3.0 / n;
     int64_t crossings = 0, missed = 0;
-    for (int64_t i = 0; i < scaled(6); ++i) {
+    for (int64_t i = 0; i < scaled(16); ++i) {
         SCOPED_TRACE(i);
         const SplineData data = crumpled(random, 0.4);
         const Handle g = create(data);
