@@ -129,6 +129,21 @@ nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, do
     return watched(call, out, [&] { return nurbs_surface_intersections(a, b, tolerance, out); });
 }
 
+nurbs_status nurbs_surface_self_intersections(const nurbs *g, double tolerance, nurbs_meet **out) {
+    return guard([&] {
+        require_out(out);
+        const Spline &surface = surface_of(g);
+        check_dimension(surface, 3, 3);
+        check_positive_tolerance(tolerance);
+        give_meet(intersect::surface_self_intersections(surface, tolerance), out);
+    });
+}
+
+nurbs_status nurbs_surface_self_intersections_with(const nurbs *g, double tolerance,
+                                                   const nurbs_call_options *call, nurbs_meet **out) {
+    return watched(call, out, [&] { return nurbs_surface_self_intersections(g, tolerance, out); });
+}
+
 nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, double tolerance,
                                       nurbs_meet **out) {
     return guard([&] {

@@ -5969,6 +5969,46 @@ NURBS_API nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *
 NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
+/** \brief Where a surface meets itself: all curves along which it takes points twice, or the proof that there are none. As
+ * nurbs_surface_intersections() of its parts, but for parts side by side, which have their common side or corner. Two places x, y of a
+ * rectangle of the domain are proven to be different points: S(x) - S(y) = P (x - y)_0 + Q (x - y)_1, where P and Q are
+ * means of S_u and S_v on the way, and if, as some plane sees them, no direction in the cone of all S_u of the rectangle is one in
+ * the cone of all S_v, or opposite to it, P and Q are linearly independent. Rectangles may hold knots, and edges that are less than
+ * folded flat. Around a side that is one point, as at a pole, polar coordinates and S_uv take the place of those of the plane.
+ * Rectangles of which that is not so are halved until they are or have nothing in common.
+ *
+ * Places that are one, to rounding, where the surface closes along an axis, and on a side that is one point, are no meeting. Where
+ * sides meet otherwise, as those of a Moebius strip do, the surface meets itself.
+ *
+ * Branches and nodes are those of nurbs_surface_intersections() with the surface as both a and b, except that
+ * - each is told once, with its two places in either order. A branch along which these change their order, so that its curve in
+ *   the domain closes where that in space has gone round twice, is told as this, twice as long.
+ * - TOUCH: also a part, between two such planes and in a box of 16 times the root of the tolerance times the size of the surface, in
+ *   which both places of a branch become one, such as the pinch point of a Whitney umbrella; or all of which is one point, as that of
+ *   the axis through which a profile turns.
+ * - UNDECIDED: also where the surface turns back along a curve, a cuspidal edge or an edge that is folded flat, and parts that have no
+ *   area; and regions in which it lies on itself, since there are no branches OVERLAP.
+ *
+ * With complete 1 and no branches and nodes the surface is proven to be simple: it has no self-intersections. Costs: some
+ * microseconds for each piece where that is so, and what nurbs_surface_intersections() costs, twice, elsewhere. Of a face that is what lies
+ * in it of the meet of its surface: nurbs_meet_trim() and nurbs_meet_trim_second().
+ * \param[in] g a surface of dimension 3.
+ * \param[in] tolerance > 0: the largest distance of the curves from the common points.
+ * \param[out] out the new meet of two surfaces, both of which are g, all of it of level 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_self_intersections(const nurbs *g, double tolerance, nurbs_meet **out);
+
+/** \brief nurbs_surface_self_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+ * \param[in] g,tolerance as for nurbs_surface_self_intersections().
+ * \param[in] call or NULL: the wishes of the caller.
+ * \param[out] out the new meet.
+ * \return as for nurbs_surface_self_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
+ * \since 1.1 */
+NURBS_API nurbs_status nurbs_surface_self_intersections_with(const nurbs *g, double tolerance,
+                                                             const nurbs_call_options *call,
+                                                             nurbs_meet **out);
+
 /** \brief Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the loops
  * of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, which have one key
  * (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in their edges. Each such edge is a branch EDGE,

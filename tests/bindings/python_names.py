@@ -11,7 +11,7 @@ import nurbs
 HEADER = pathlib.Path(__file__).resolve().parents[2] / "include/nurbs/nurbs.h"
 NAMESAKES = {"clone": "copy", "clamp_ends": "clamp", "is_rational": "rational", "knot_form": "knot_forms",
              "degree": "degrees", "count": "counts", "unwrapped_count": "unwrapped_counts", "region_create": "region", "region_combine": "combine",
-             "surface_intersections": "meet", "intersections": "meet",
+             "surface_intersections": "meet", "surface_self_intersections": "meet_itself", "intersections": "meet",
              "surfaces_common_points": "common_points"}
 #: What is no function of its own: handles, lists and structs.
 INSIDE = {"nurbs_create", "nurbs_destroy", "nurbs_read_options_init", "nurbs_write_options_init", "nurbs_call_options_init", "nurbs_list_count",

@@ -102,6 +102,8 @@ class LayerCall:
                  re.sub("^mesh_(surface|face|model)(_levels)?$", r"mesh\2", short)]
         if short in ("surface_intersections", "face_intersections", "model_intersections"):  # of a curve with a surface
             names = ["meet"]
+        if short == "surface_self_intersections":  # of curves there are others
+            names = ["meet_itself"]
         if short == "mesh_triangles" and self.step.given("flags") == Number(0):
             names = ["vertex_triangles"]
         handles = [value for value in self.values.values() if value.kind in OWNERS and not value.is_output]

@@ -174,6 +174,20 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
     }
 }
 
+// Both curves of a branch are in one domain.
+void meet_itself(const nurbs *g, double tolerance, int64_t work) {
+    nurbs_call_options call;
+    FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
+    call.work = work;
+    nurbs_meet *found = nullptr;
+    if (FUZZ_OK(nurbs_surface_self_intersections_with(g, tolerance, &call, &found))) {
+        look_at(found);
+        nurbs_meet_destroy(found);
+    } else {
+        FUZZ_REQUIRE(found == nullptr);
+    }
+}
+
 // Parameters are in the domains, and in the ranges but for periods; a crossing is told as one.
 void meet_three(const std::array<const nurbs *, 3> &surfaces, double tolerance,
                 const nurbs_call_options &call, bool plain) {
@@ -265,6 +279,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         meet_surfaces(surface.get(), second.get(), tolerance, 200000);
         meet_surfaces(surface.get(), surface.get(), tolerance, in.below(20000) + 1);
     }
+    meet_itself(surface.get(), tolerance, 200000);
+    meet_itself(in.rarely() ? curve.get() : surface.get(), tolerance, in.below(20000) + 1);
     nurbs_call_options call;
     FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
     call.work = 50000;

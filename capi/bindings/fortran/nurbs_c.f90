@@ -3213,6 +3213,25 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_intersections_with
+        !> Where a surface meets itself: all curves along which it takes points twice, or the proof that there
+        !> are none.
+        function nurbs_surface_self_intersections(g, tolerance, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_self_intersections
+        !> nurbs_surface_self_intersections() as a call that can be watched and ended, as
+        !> nurbs_surface_sections_with().
+        function nurbs_surface_self_intersections_with(g, tolerance, call, out) bind(c) result(r)
+            import
+            type(c_ptr), value :: g
+            real(c_double), value :: tolerance
+            type(nurbs_call_options), intent(in), optional :: call
+            type(c_ptr), intent(out) :: out
+            integer(c_int32_t) :: r
+        end function nurbs_surface_self_intersections_with
         !> Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of
         !> the loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that
         !> they share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model

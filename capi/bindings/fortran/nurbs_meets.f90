@@ -6,15 +6,16 @@ module nurbs_meets
     use, intrinsic :: iso_c_binding
     use nurbs_constants
     use nurbs_c, only: nurbs_surface_sections, nurbs_surface_contours, nurbs_surface_reflections, nurbs_surface_level, &
-        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_face_intersections, &
-        nurbs_surface_project_curve, nurbs_face_project_curve, nurbs_meet_counts, nurbs_meet_branches, &
-        nurbs_meet_kinds, nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, nurbs_meet_nodes_second, &
-        nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_faces_second, nurbs_meet_joints, nurbs_meet_joints_second, &
-        nurbs_model_sections, nurbs_model_intersections, nurbs_meet_trim, nurbs_meet_trim_second, &
-        nurbs_surface_sections_with, nurbs_surface_contours_with, nurbs_surface_reflections_with, &
-        nurbs_surface_level_with, nurbs_surface_level_curves_with, nurbs_surface_intersections_with, &
-        nurbs_face_intersections_with, nurbs_surface_project_curve_with, nurbs_face_project_curve_with, &
-        nurbs_model_sections_with, nurbs_model_intersections_with, nurbs_meet_trim_with, nurbs_meet_trim_second_with
+        nurbs_surface_level_curves, nurbs_surface_intersections, nurbs_surface_self_intersections, &
+        nurbs_face_intersections, nurbs_surface_project_curve, nurbs_face_project_curve, nurbs_meet_counts, &
+        nurbs_meet_branches, nurbs_meet_kinds, nurbs_meet_branch, nurbs_meet_branch_second, nurbs_meet_nodes, &
+        nurbs_meet_nodes_second, nurbs_meet_ways, nurbs_meet_faces, nurbs_meet_faces_second, nurbs_meet_joints, &
+        nurbs_meet_joints_second, nurbs_model_sections, nurbs_model_intersections, nurbs_meet_trim, &
+        nurbs_meet_trim_second, nurbs_surface_sections_with, nurbs_surface_contours_with, &
+        nurbs_surface_reflections_with, nurbs_surface_level_with, nurbs_surface_level_curves_with, &
+        nurbs_surface_intersections_with, nurbs_surface_self_intersections_with, nurbs_face_intersections_with, &
+        nurbs_surface_project_curve_with, nurbs_face_project_curve_with, nurbs_model_sections_with, &
+        nurbs_model_intersections_with, nurbs_meet_trim_with, nurbs_meet_trim_second_with
     use nurbs_support
     use nurbs_calls
     use nurbs_handles
@@ -27,7 +28,7 @@ module nurbs_meets
     !> Curves where shapes meet; an assignment makes another handle on the same curves.
     type, extends(nurbs_meet_handle), public :: nurbs_meet
     contains
-        procedure :: sections, contours, reflections, level, level_curves, surfaces, of_faces, projection
+        procedure :: sections, contours, reflections, level, level_curves, surfaces, of_itself, of_faces, projection
         procedure :: face_projection, counts, branches, branch_kinds, branch, branch_second, nodes, nodes_second, ways
         procedure :: faces, faces_second, joints, joints_second, model_sections, of_models, trimmed, trimmed_second
     end type nurbs_meet
@@ -164,6 +165,24 @@ contains
         call this%replace(made)
         call settle(code, status)
     end subroutine surfaces
+
+    !> Where a surface meets itself in curves, proven to be all; without any it is proven to be simple.
+    subroutine of_itself(this, g, tolerance, status, call)
+        class(nurbs_meet), intent(inout) :: this
+        class(nurbs_spline), intent(in) :: g
+        real(c_double), intent(in) :: tolerance
+        integer(c_int32_t), intent(out), optional :: status
+        type(nurbs_call), intent(in), optional, target :: call
+        integer(c_int32_t) :: code
+        type(c_ptr) :: made
+        if (present(call)) then
+            code = nurbs_surface_self_intersections_with(g%handle, tolerance, watched(call), made)
+        else
+            code = nurbs_surface_self_intersections(g%handle, tolerance, made)
+        end if
+        call this%replace(made)
+        call settle(code, status)
+    end subroutine of_itself
 
     !> Where two faces meet: in the edges that they share, and in curves inside of both.
     subroutine of_faces(this, a, b, tolerance, status, call)

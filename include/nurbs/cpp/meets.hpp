@@ -197,6 +197,16 @@ public:
         const detail::Watch watch(call);
         return detail::made<Meet>(nurbs_surface_intersections_with, a.get(), b.get(), tolerance, watch.get());
     }
+    /// Where a surface meets itself in curves, proven to be all; without any it is proven to be simple.
+    [[nodiscard]] static Returned<Meet> of_itself(const Spline &g, double tolerance) {
+        return detail::made<Meet>(nurbs_surface_self_intersections, g.get(), tolerance);
+    }
+    /// The same; `call` can watch and end it.
+    [[nodiscard]] static Returned<Meet> of_itself(const Spline &g, double tolerance,
+                                                  const CallOptions &call) {
+        const detail::Watch watch(call);
+        return detail::made<Meet>(nurbs_surface_self_intersections_with, g.get(), tolerance, watch.get());
+    }
     /// Where two faces meet: in the edges that they share, and in curves inside of both.
     [[nodiscard]] static Returned<Meet> of_faces(const Face &a, const Face &b, double tolerance) {
         return detail::made<Meet>(nurbs_face_intersections, a.get(), b.get(), tolerance);

@@ -307,8 +307,8 @@ private:
     std::array<std::vector<Begin>, 4> begins_;    // of what may go on, along each axis
     std::vector<size_t> next_, last_;             // arcs
     std::vector<bool> taken_;
-    std::vector<double> lengths_;    // of arcs
     std::vector<CrossGroup> groups_; // of clusters: the first nodes
+    std::vector<double> lengths_;    // of arcs
     int64_t loops_ = 0;
     CrossChains result_;
 };
@@ -320,7 +320,7 @@ CrossChains joined_chains(const CrossSurface &a, const CrossSurface &b, const st
     return CrossJoining(a, b, arcs, std::move(groups)).run();
 }
 
-CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, std::vector<CrossGroup> groups,
                          const CrossParts &found) {
     std::vector<JoinedArc> arcs;
     arcs.reserve(found.arcs.size());
@@ -328,7 +328,7 @@ CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const Cro
         const auto &[first, last] = arc.ends;
         arcs.push_back({{spot_of(arc, first), spot_of(arc, last)}, {first.open, last.open}, {}});
     }
-    return joined_chains(a, b, arcs, cross_groups(a, b, touch, found.clusters));
+    return joined_chains(a, b, arcs, std::move(groups));
 }
 
 } // namespace nrb::intersect

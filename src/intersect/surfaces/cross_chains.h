@@ -6,7 +6,6 @@
 #include "intersect/surfaces/cross_clusters.h"
 #include "intersect/surfaces/cross_search.h"
 #include "intersect/surfaces/cross_spot.h"
-#include "intersect/surfaces/cross_touch.h"
 
 namespace nrb::intersect {
 
@@ -33,7 +32,7 @@ struct JoinedArc {
 // one place. Ends that do not go on are nodes: borders, clusters, which are one if they touch, or undecided.
 CrossChains joined_chains(const CrossSurface &a, const CrossSurface &b, const std::vector<JoinedArc> &arcs,
                           std::vector<CrossGroup> groups);
-CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, const CrossTouch &touch,
+CrossChains cross_chains(const CrossSurface &a, const CrossSurface &b, std::vector<CrossGroup> groups,
                          const CrossParts &found);
 
 } // namespace nrb::intersect

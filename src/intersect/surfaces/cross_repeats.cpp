@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/surfaces/cross_repeats.h"
 
-#include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/surfaces/arc_places.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace nrb::intersect {
@@ -14,13 +13,12 @@ namespace {
 
 // In parts of pieces: arcs that are no farther beyond their piece may be on its border.
 constexpr double on_border = 0x1p-26;
-// In parts of boxes: what a chart makes of places that polynomials of neighbours find.
-constexpr double one_zero = 0x1p-10, least_rest = 0x1p-24;
+// In parts of boxes.
+constexpr double least_rest = 0x1p-24;
 
 class Repeats {
 public:
-    Repeats(const CrossSurface &a, const CrossSurface &b, CrossParts &found)
-        : surfaces_{&a, &b}, found_(found) {}
+    Repeats(const CrossSurface &a, const CrossSurface &b, CrossParts &found) : places_(a, b), found_(found) {}
 
     void run() {
         if (std::ranges::none_of(found_.arcs, &CrossArc::along)) {
@@ -60,7 +58,7 @@ private:
         const std::array<CrossSpot, 2> spots{spot_of(arc, arc.ends[0]), spot_of(arc, arc.ends[1])};
         for (size_t other = 0; other < kept_.size() && !rest.empty(); ++other) {
             count_work(10);
-            if (are_near(spots[0], spots_[other][0])) {
+            if (places_.are_near(spots[0], spots_[other][0])) {
                 take(common(arc, spots, kept_[other], spots_[other]), rest);
             }
         }
@@ -87,25 +85,6 @@ private:
         }
         rest = std::move(left);
     }
-    [[nodiscard]] bool are_near(const CrossSpot &a, const CrossSpot &b) const noexcept {
-        for (size_t i = 0; i < 4; ++i) {
-            const int64_t far = std::abs(a.index[i] - b.index[i]);
-            if (far > 1 && !(wraps(i) && far == count(i) - 1)) {
-                return false;
-            }
-        }
-        return true;
-    }
-    [[nodiscard]] bool wraps(size_t i) const noexcept { return surfaces_[i / 2]->borders.wraps(i % 2); }
-    [[nodiscard]] int64_t count(size_t i) const noexcept {
-        return surfaces_[i / 2]->grid.count(static_cast<int>(i % 2));
-    }
-    [[nodiscard]] double length(size_t i, int64_t index) const noexcept {
-        const pieces::PieceGrid &grid = surfaces_[i / 2]->grid;
-        const int axis = static_cast<int>(i % 2);
-        return grid.break_at(axis, index + 1) - grid.break_at(axis, index);
-    }
-
     // On the way of an arc: what the other one has of it. Where they have a zero in common they are one as far as both go.
     [[nodiscard]] Interval common(const CrossArc &arc, const std::array<CrossSpot, 2> &spots,
                                   const CrossArc &other, const std::array<CrossSpot, 2> &of_other) const {
@@ -113,9 +92,9 @@ private:
         std::array<double, 2> ends{};
         for (size_t end = 0; end < 2; ++end) {
             CrossPlace z{};
-            if (is_zero_of(arc, of_other[end], z)) {
+            if (places_.is_zero_of(arc, of_other[end], z)) {
                 ends[end] = along(arc, z);
-            } else if (is_zero_of(other, spots[end], z) &&
+            } else if (places_.is_zero_of(other, spots[end], z) &&
                        along(other, z) >= way_of_other.lower - least_rest &&
                        along(other, z) <= way_of_other.upper + least_rest) {
                 ends[end] = end == 0 ? way.lower : way.upper;
@@ -126,50 +105,6 @@ private:
         const Interval shared{std::max(ends[0], way.lower), std::min(ends[1], way.upper)};
         return shared.upper - shared.lower > least_rest ? shared : Interval{1, 0};
     }
-    // Whether a spot is one of the zeros in the wide box of an arc, at z there.
-    [[nodiscard]] bool is_zero_of(const CrossArc &arc, const CrossSpot &spot, CrossPlace &z) const {
-        for (size_t i = 0; i < 4; ++i) {
-            z[i] = place_in(arc.box, spot, i);
-            if (!(z[i] >= -widening && z[i] <= 1 + widening)) {
-                return false;
-            }
-        }
-        CrossPlace zero = z;
-        if (!arc.box.solve(arc.box.chart.axis(), zero)) {
-            return false;
-        }
-        for (size_t i = 0; i < 4; ++i) {
-            zero[i] -= z[i];
-        }
-        return largest(zero) <= one_zero;
-    }
-    // In the part, of the pieces around it; where these are several the one nearest to its middle.
-    [[nodiscard]] double place_in(const CrossBox &box, const CrossSpot &spot, size_t i) const noexcept {
-        const CrossCell &cell = box.cell(i);
-        const CrossPiece &piece = cell.piece();
-        const size_t k = i % 2;
-        const int64_t n = count(i), own = piece.index[k];
-        double nearest = infinity;
-        for (const int64_t step : {0, 1, -1}) {
-            int64_t at = own + step;
-            if ((at < 0 || at >= n) && !wraps(i)) {
-                continue;
-            }
-            at = (at + n) % n;
-            if (at != spot.index[i]) {
-                continue;
-            }
-            const double stretch = length(i, at) / length(i, own), x = step == 0 ? spot.place[i]
-                                                                       : step == 1
-                                                                           ? 1 + stretch * spot.place[i]
-                                                                           : -stretch * (1 - spot.place[i]);
-            const Interval &within = piece.within[k];
-            const double z = cell.in_part(k, (x - within.lower) / (within.upper - within.lower));
-            nearest = std::abs(z - 0.5) < std::abs(nearest - 0.5) ? z : nearest;
-        }
-        return nearest;
-    }
-
     void keep_part(const CrossArc &arc, const Interval &part) {
         CrossArc rest = arc;
         const size_t k = arc.box.chart.axis();
@@ -195,7 +130,7 @@ private:
     }
     void leave_open(const CrossArc &arc) { found_.clusters.push_back({ranges_of(arc.box)}); }
 
-    std::array<const CrossSurface *, 2> surfaces_;
+    ArcPlaces places_;
     CrossParts &found_;
     std::vector<CrossArc> kept_;
     std::vector<std::array<CrossSpot, 2>> spots_; // of what is kept

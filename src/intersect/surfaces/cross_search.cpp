@@ -15,6 +15,9 @@ namespace {
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
 constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of each other that are halved
 constexpr size_t most_pairs = 1 << 16;
+// The same of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
+constexpr size_t most_side_by_side = 2048;
+constexpr double small_side_by_side = 0x1p-12; // area, in parts of pieces
 constexpr size_t most_alike = 512; // pairs of one size of which one lies on the other as far as can be seen
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
 constexpr double thick = 32;
@@ -77,13 +80,21 @@ CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders 
     : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a, side_shifts[0]),
       b_(b, frame_, borders_b, side_shifts[1]), solver_(a_.ground, b_.ground), contact_(solver_) {}
 
+CrossSearch::CrossSearch(const Spline &g, const SurfaceBorders &borders)
+    : CrossSearch(g, g, borders, borders) {
+    self_.emplace(a_.ground);
+}
+
 CrossParts CrossSearch::run(double tolerance) {
     tolerance_ = frame_.scaled(tolerance);
+    if (self_ && self_->is_one_sheet()) {
+        return {};
+    }
     find_pieces();
     SearchSteps steps;
     while (!pairs_.empty()) {
         for (const Pair &pair : pairs_) {
-            if (work_ended() || next_.size() + flat_.size() > most_pairs) {
+            if (work_ended() || next_.size() + flat_.size() + 4 * side_by_side_.size() > most_pairs) {
                 add(pair);
             } else {
                 look(pair);
@@ -104,6 +115,21 @@ void CrossSearch::settle_crowds() {
     }
     flat_.clear();
     alike_ = 0;
+    settle_side_by_side();
+}
+
+// Where a surface turns back along a curve, there are ever more.
+void CrossSearch::settle_side_by_side() {
+    const auto is_small = [](const Pair &pair) {
+        return std::max(pair.a->length(0) * pair.a->length(1), pair.b->length(0) * pair.b->length(1)) <=
+               small_side_by_side;
+    };
+    const bool crowded =
+        static_cast<size_t>(std::ranges::count_if(side_by_side_, is_small)) > most_side_by_side;
+    for (const Pair &pair : side_by_side_) {
+        crowded &&is_small(pair) ? add(pair) : halve_both(pair);
+    }
+    side_by_side_.clear();
 }
 
 void CrossSearch::find_pieces() {
@@ -148,9 +174,9 @@ void CrossSearch::divide(PairCell &a, PairCell &b) {
     }
 }
 
-void CrossSearch::look(const Pair &pair) {
+void CrossSearch::look(Pair pair) {
     count_work(24);
-    if (are_apart(*pair.a, *pair.b)) {
+    if (are_apart(*pair.a, *pair.b) || (self_ && is_of_one_surface(pair))) {
         return;
     }
     if (!pair.a->prepare() || !pair.b->prepare()) {
@@ -176,6 +202,33 @@ void CrossSearch::look(const Pair &pair) {
     case CrossChart::Verdict::flat:
         look_at_flat(pair);
     }
+}
+
+// Whether both are one sheet of a surface, or side by side on it.
+bool CrossSearch::is_of_one_surface(Pair &pair) {
+    switch (self_->look(*pair.a, *pair.b)) {
+    case SelfPairs::Verdict::touching:
+        are_in_one_place(pair) ? add(pair) : side_by_side_.push_back(pair);
+        return true;
+    case SelfPairs::Verdict::one_sheet:
+        return true;
+    case SelfPairs::Verdict::near:
+        pair.no_contact =
+            true; // in sheets that part from each other there are many places that look like one
+        if (!are_in_one_place(pair)) {
+            return false;
+        }
+        add(pair);
+        return true;
+    case SelfPairs::Verdict::apart:
+        return false;
+    }
+    return false;
+}
+
+// Whether they are in one place, as far as the tolerance tells.
+bool CrossSearch::are_in_one_place(const Pair &pair) const noexcept {
+    return std::max(pair.a->size(), pair.b->size()) <= tolerance_ / 8;
 }
 
 // How far both reach on either side of a plane; less than 0: they are apart along its normal.
@@ -269,6 +322,30 @@ void CrossSearch::halve(const Pair &pair, bool first) {
     }
     if (!pair.graph) {
         add(pair);
+    }
+}
+
+// What is side by side has no charts, as a surface meets itself there.
+void CrossSearch::halve_both(const Pair &pair) {
+    const double small = 4 * (pair.a->piece().error + pair.b->piece().error);
+    const auto halves = [&](CrossCell &cell, CrossSide &side) -> std::array<CrossCell *, 2> {
+        cell.prepare(); // so that both sides have the same parts
+        if (cell.size() > small && cell.split(side.parts)) {
+            return {cell.half(0), cell.half(1)};
+        }
+        return {&cell, nullptr};
+    };
+    const auto of_a = halves(*pair.a, a_), of_b = halves(*pair.b, b_);
+    if (of_a[1] == nullptr && of_b[1] == nullptr) {
+        add(pair);
+        return;
+    }
+    for (CrossCell *a : of_a) {
+        for (CrossCell *b : of_b) {
+            if (a != nullptr && b != nullptr) {
+                next_.push_back({a, b});
+            }
+        }
     }
 }
 

@@ -5,7 +5,9 @@
 #include "intersect/surfaces/contact/contact_chart.h"
 #include "intersect/surfaces/cross_arc.h"
 #include "intersect/surfaces/cross_side.h"
+#include "intersect/surfaces/self/self_pairs.h"
 
+#include <optional>
 #include <vector>
 
 namespace nrb::intersect {
@@ -39,6 +41,8 @@ class CrossSearch {
 public:
     CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                 const SurfaceBorders &borders_b);
+    // Of a surface with itself, where each place is common to it and itself: what else is, in both orders.
+    CrossSearch(const Spline &g, const SurfaceBorders &borders);
 
     // tolerance: within which what is not told apart need not be. The cells that arcs are in last as long as the search.
     CrossParts run(double tolerance);
@@ -61,12 +65,16 @@ private:
     void find_pieces();
     void look_at(PairCell &a, PairCell &b);
     void divide(PairCell &a, PairCell &b);
-    void look(const Pair &pair);
+    void look(Pair pair);
+    bool is_of_one_surface(Pair &pair);
+    [[nodiscard]] bool are_in_one_place(const Pair &pair) const noexcept;
+    void halve_both(const Pair &pair);
     void halve(const Pair &pair, bool first);
     void look_at_flat(Pair pair);
     bool look_for_contact(Pair &pair);
     bool are_along(const Pair &pair);
     void settle_crowds();
+    void settle_side_by_side();
     void add(const Pair &pair);
     void add_unknown(const PairCell &a, const PairCell &b);
     [[nodiscard]] double thickness(const Pair &pair) const;
@@ -81,11 +89,13 @@ private:
     };
     std::vector<Pair> pairs_, next_;
     std::vector<FlatPair> flat_;
-    size_t alike_ = 0; // pairs of this size of which one lies on the other
+    std::vector<Pair> side_by_side_; // parts of one surface
+    size_t alike_ = 0;               // pairs of this size of which one lies on the other
     bool crowded_ = false;
     ContactSolver solver_;
     ContactChart contact_;
     ArcFinder finder_;
+    std::optional<SelfPairs> self_;
     CrossBox box_{};
     CrossParts found_;
 };

@@ -137,6 +137,12 @@ bool CrossTouch::is_apart(const std::array<Interval, 4> &ranges) const {
     return add_parts(0, ranges, a) && add_parts(1, ranges, b) && are_apart(a, b);
 }
 
+bool CrossTouch::is_spot(const std::array<Interval, 4> &ranges) const {
+    const double most = 16 * std::sqrt(tolerance_);
+    Cells cells;
+    return add_parts(0, ranges, cells) && add_parts(1, ranges, cells) && are_small(cells, most);
+}
+
 bool CrossTouch::is_touch(const std::array<Interval, 4> &ranges) const {
     Cells cells;
     if (!add_parts(0, ranges, cells) || !add_parts(1, ranges, cells) || !are_small(cells, small_part) ||

@@ -25,6 +25,9 @@ public:
     // planes no farther apart than the tolerance, or in a box no larger, and is a small part of both.
     [[nodiscard]] bool is_touch(const std::array<Interval, 4> &ranges) const override;
 
+    // Whether it is no larger than what the tolerance does not tell apart where two sheets of a surface part.
+    [[nodiscard]] bool is_spot(const std::array<Interval, 4> &ranges) const;
+
     // Takes away from ranges what has no common points with the other surface in its own, as boxes tell.
     void narrow(std::array<Interval, 4> &ranges) const override;
     // Whether boxes tell that there are no common points in ranges: for certain, if so.

@@ -7,6 +7,7 @@
 #include "intersect/surfaces/cross_curve.h"
 #include "intersect/surfaces/cross_repeats.h"
 #include "intersect/surfaces/overlap/overlaps.h"
+#include "intersect/surfaces/self/mirrored.h"
 
 #include <algorithm>
 #include <utility>
@@ -30,6 +31,23 @@ CrossParts parts_of(CrossSearch &search, double tolerance, bool &limited) {
 // Whether something is left open that is no touch.
 bool is_left_open(const std::vector<CrossGroup> &groups) {
     return std::ranges::any_of(groups, [](const CrossGroup &group) { return !group.touch; });
+}
+
+bool is_complete(const Meet &meet) {
+    return std::ranges::none_of(meet.nodes,
+                                [](const MeetNode &node) { return node.kind == NodeKind::undecided; });
+}
+
+void add_crossings(CrossChains chains, const CrossParts &found, const pieces::Frame &frame,
+                   const CrossSurface &a, const CrossSurface &b, CrossFitter fitter, Meet &meet) {
+    meet.limited = meet.limited || work_ended();
+    meet.of_two = true;
+    meet.nodes = std::move(chains.nodes);
+    meet.complete = is_complete(meet);
+    for (const CrossChain &chain : chains.chains) {
+        meet.branches.push_back(branch_along(cross_curve(fitter, frame, a, b, found, chain), chain.nodes,
+                                             chain.loop, BranchKind::crossing));
+    }
 }
 
 } // namespace
@@ -65,22 +83,41 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
         meet.limited = meet.limited || work_ended();
     }
     const std::vector<ContactCurve> contacts = contact_curves(tracer, found);
-    CrossChains chains = cross_chains(on_a, on_b, touch, found);
-    meet.limited = meet.limited || work_ended();
-    meet.of_two = true;
+    std::vector<CrossGroup> groups = cross_groups(on_a, on_b, touch, found.clusters);
+    add_crossings(cross_chains(on_a, on_b, std::move(groups), found), found, search.frame(), on_a, on_b,
+                  CrossFitter(degrees_of(a), degrees_of(b), in_frame), meet);
     meet.periodic = {periodic_axes_of(a), periodic_axes_of(b)};
-    meet.nodes = std::move(chains.nodes);
-    meet.complete = std::ranges::none_of(
-        meet.nodes, [](const MeetNode &node) { return node.kind == NodeKind::undecided; });
-    CrossFitter fitter(degrees_of(a), degrees_of(b), in_frame);
-    for (const CrossChain &chain : chains.chains) {
-        meet.branches.push_back(branch_along(cross_curve(fitter, search.frame(), on_a, on_b, found, chain),
-                                             chain.nodes, chain.loop, BranchKind::crossing));
-    }
     add_branches(contacts, search.frame(), on_a, on_b, meet);
     if (overlaps) {
         add_overlaps(*overlaps, search.frame(), on_a, on_b, meet);
     }
+    return meet;
+}
+
+Meet surface_self_intersections(const Spline &g, double tolerance) {
+    const UsualLimit usual(usual_work(g.point_count()));
+    const LimitedSearch limited;
+    const pieces::PieceGrid &grid = pieces::piece_grid_of(g);
+    const SurfaceBorders borders(grid);
+    const CrossSurface on{grid, borders};
+    CrossSearch search(g, borders);
+    Meet meet;
+    CrossParts found = parts_of(search, tolerance, meet.limited);
+    remove_repeats(on, on, found);
+    const double in_frame = search.frame().scaled(tolerance);
+    ContactTracer tracer(search.solver(), degrees_of(g), degrees_of(g), in_frame);
+    const CrossTouch touch(search.ground(0), search.ground(1), in_frame);
+    std::vector<ContactCurve> contacts = contact_curves(tracer, found);
+    remove_mirrored(tracer, contacts);
+    CrossChains chains = cross_chains(on, on, mirrored_groups(on, touch, found.clusters), found);
+    remove_mirrored(on, found, chains);
+    add_crossings(std::move(chains), found, search.frame(), on, on,
+                  CrossFitter(degrees_of(g), degrees_of(g), in_frame), meet);
+    meet.periodic = {periodic_axes_of(g), periodic_axes_of(g)};
+    add_branches(contacts, search.frame(), on, on, meet);
+    remove_mirrored(on, touch, meet);
+    meet.complete = is_complete(meet);
+    meet.tidy_nodes();
     return meet;
 }
 

@@ -932,6 +932,11 @@ void data(const Inputs &in) {
         show("out", found);
     }
     {
+        begin("surface_self_intersections");
+        const auto found = n::Meet::of_itself(in.surface, 0.1);
+        show("out", found);
+    }
+    {
         begin("face_intersections");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
         const n::Spline upright_outline = n::Spline::create({1}, {4}, {0.0, 0.0, 1.0, 2.0, 3.0, 3.0}, 2, {0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, {}, 0u);
@@ -1544,6 +1549,11 @@ void data(const Inputs &in) {
         begin("surface_intersections_with");
         const n::Spline wall = n::Spline::create_bezier({1, 1}, 3, {0.3, -1.0, -1.0, 0.3, -1.0, 9.0, 0.4, 9.0, -1.0, 0.4, 9.0, 9.0});
         const auto found = n::Meet::surfaces(wall, in.surface, 0.1, watched());
+        show("out", found);
+    }
+    {
+        begin("surface_self_intersections_with");
+        const auto found = n::Meet::of_itself(in.surface, 0.1, watched());
         show("out", found);
     }
     {

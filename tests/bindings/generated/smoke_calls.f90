@@ -1875,6 +1875,12 @@ contains
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0)
             call show('out', found)
         end block
+        call begin('surface_self_intersections')
+        block
+            type(nurbs_meet) :: found
+            call found%of_itself(g=surface, tolerance=0.1d0)
+            call show('out', found)
+        end block
         call begin('face_intersections')
         block
             type(nurbs_spline) :: wall
@@ -2835,6 +2841,13 @@ contains
             call wall%create_bezier(degrees=[1, 1], points=reshape([0.3d0, -1.0d0, -1.0d0, 0.3d0, -1.0d0, 9.0d0, &
                 0.4d0, 9.0d0, -1.0d0, 0.4d0, 9.0d0, 9.0d0], [4, 3], order=[2, 1]))
             call found%surfaces(a=wall, b=surface, tolerance=0.1d0, call=watching)
+            call show('out', found)
+        end block
+        call begin('surface_self_intersections_with')
+        block
+            type(nurbs_call) :: watching
+            type(nurbs_meet) :: found
+            call found%of_itself(g=surface, tolerance=0.1d0, call=watching)
             call show('out', found)
         end block
         call begin('face_intersections_with')

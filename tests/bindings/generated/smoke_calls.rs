@@ -1593,6 +1593,11 @@ fn data(given: &Given) -> nurbs::Result<()> {
         let found = Meet::surfaces(&wall, &given.surface, 0.1)?;
         show("out", &found);
     }
+    begin("surface_self_intersections");
+    {
+        let found = Meet::of_itself(&given.surface, 0.1)?;
+        show("out", &found);
+    }
     begin("face_intersections");
     {
         let wall = Spline::bezier(
@@ -2527,6 +2532,11 @@ fn data(given: &Given) -> nurbs::Result<()> {
             0.1,
             &mut Call::new().progress(|_| true),
         )?;
+        show("out", &found);
+    }
+    begin("surface_self_intersections_with");
+    {
+        let found = Meet::of_itself_with(&given.surface, 0.1, &mut Call::new().progress(|_| true))?;
         show("out", &found);
     }
     begin("face_intersections_with");

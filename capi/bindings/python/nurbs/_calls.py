@@ -271,6 +271,7 @@ _LONG: List[Tuple[Callable[[Any, Any], _Form], List[Tuple[Any, Any]]]] = [
         (lib.nurbs_surface_contours, lib.nurbs_surface_contours_with),
         (lib.nurbs_surface_reflections, lib.nurbs_surface_reflections_with),
         (lib.nurbs_surface_intersections, lib.nurbs_surface_intersections_with),
+        (lib.nurbs_surface_self_intersections, lib.nurbs_surface_self_intersections_with),
         (lib.nurbs_face_intersections, lib.nurbs_face_intersections_with),
         (lib.nurbs_surface_project_curve, lib.nurbs_surface_project_curve_with),
         (lib.nurbs_face_project_curve, lib.nurbs_face_project_curve_with),

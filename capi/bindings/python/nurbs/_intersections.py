@@ -230,6 +230,13 @@ class Intersections(SplineBase):
         return Meet._made(watched(lib.nurbs_surface_intersections, progress, work), self._handle, handle_of(other),
                           tolerance)
 
+    def meet_itself(self, tolerance: float, *, progress: Progress = None, work: Optional[int] = None) -> Meet:
+        """Where a surface meets itself in curves, with proof that there are no others: with `complete` and no branches and nodes it
+        is proven to be simple. Meet.branch() and Meet.branch_second() have both curves in its domain."""
+        from ._meets import Meet
+
+        return Meet._made(watched(lib.nurbs_surface_self_intersections, progress, work), self._handle, tolerance)
+
     def project_curve(self, curve: SplineBase, direction: Optional[ArrayLike], tolerance: float, *,
                       progress: Progress = None, work: Optional[int] = None) -> Meet:
         """A curve projected onto a surface along a direction (3,) or, with None, normally, to all orthogonal feet: all curves

@@ -279,6 +279,8 @@ PROTOTYPES = {
     "nurbs_surface_level_curves_with": "i pplpdpp",
     "nurbs_surface_intersections": "i ppdp",
     "nurbs_surface_intersections_with": "i ppdpp",
+    "nurbs_surface_self_intersections": "i pdp",
+    "nurbs_surface_self_intersections_with": "i pdpp",
     "nurbs_face_intersections": "i ppdp",
     "nurbs_face_intersections_with": "i ppdpp",
     "nurbs_surface_project_curve": "i pppdp",

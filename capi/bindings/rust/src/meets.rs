@@ -308,6 +308,18 @@ impl Meet {
         })
     }
 
+    /// Where a surface meets itself in curves, proven to be all; without any it is proven to be simple.
+    pub fn of_itself(g: &Spline, tolerance: f64) -> Result<Meet> {
+        Meet::made(|out| unsafe { sys::nurbs_surface_self_intersections(g.raw(), tolerance, out) })
+    }
+
+    /// The same as `of_itself`; it can be watched and stopped.
+    pub fn of_itself_with(g: &Spline, tolerance: f64, call: &mut Call) -> Result<Meet> {
+        Meet::made(|out| unsafe {
+            sys::nurbs_surface_self_intersections_with(g.raw(), tolerance, call.options(), out)
+        })
+    }
+
     /// Where two faces meet: in the edges that they share, and in curves inside of both.
     pub fn of_faces(a: &Face, b: &Face, tolerance: f64) -> Result<Meet> {
         Meet::made(|out| unsafe { sys::nurbs_face_intersections(a.raw(), b.raw(), tolerance, out) })

@@ -4087,6 +4087,23 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
+    /// Where a surface meets itself: all curves along which it takes points twice, or the proof that there
+    /// are none.
+    pub fn nurbs_surface_self_intersections(
+        g: *const nurbs,
+        tolerance: f64,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
+    /// nurbs_surface_self_intersections() as a call that can be watched and ended, as
+    /// nurbs_surface_sections_with().
+    ///
+    /// May be null: `call`.
+    pub fn nurbs_surface_self_intersections_with(
+        g: *const nurbs,
+        tolerance: f64,
+        call: *const nurbs_call_options,
+        out: *mut *mut nurbs_meet,
+    ) -> nurbs_status;
     /// Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the
     /// loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they
     /// share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in

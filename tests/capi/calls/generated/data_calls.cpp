@@ -1005,6 +1005,10 @@ const Call group[] = {
          }
          return nurbs_surface_intersections(made_wall, in.surface, 0.1, &o.meet);
      }},
+    {"surface_self_intersections",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         return nurbs_surface_self_intersections(in.surface, 0.1, &o.meet);
+     }},
     {"face_intersections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_wall(in, make_wall);
@@ -1889,6 +1893,12 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_intersections_with(made_wall, in.surface, 0.1, &call, &o.meet);
+     }},
+    {"surface_self_intersections_with",
+     [](const Inputs &in, Output &o) -> nurbs_status {
+         nurbs_call_options call;
+         (void)nurbs_call_options_init(&call, sizeof call);
+         return nurbs_surface_self_intersections_with(in.surface, 0.1, &call, &o.meet);
      }},
     {"face_intersections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {

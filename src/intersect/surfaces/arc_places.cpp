@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "intersect/surfaces/arc_places.h"
+
+#include "base/numbers.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace nrb::intersect {
+
+namespace {
+
+// In parts of boxes: what a chart makes of places that polynomials of neighbours find.
+constexpr double one_zero = 0x1p-10;
+
+} // namespace
+
+bool ArcPlaces::are_near(const CrossSpot &a, const CrossSpot &b) const noexcept {
+    for (size_t i = 0; i < 4; ++i) {
+        const int64_t far = std::abs(a.index[i] - b.index[i]);
+        if (far > 1 && !(wraps(i) && far == count(i) - 1)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+double ArcPlaces::length(size_t i, int64_t index) const noexcept {
+    const pieces::PieceGrid &grid = surfaces_[i / 2]->grid;
+    const int axis = static_cast<int>(i % 2);
+    return grid.break_at(axis, index + 1) - grid.break_at(axis, index);
+}
+
+bool ArcPlaces::is_zero_of(const CrossArc &arc, const CrossSpot &spot, CrossPlace &z) const {
+    for (size_t i = 0; i < 4; ++i) {
+        z[i] = place_in(arc.box, spot, i);
+        if (!(z[i] >= -widening && z[i] <= 1 + widening)) {
+            return false;
+        }
+    }
+    CrossPlace zero = z;
+    if (!arc.box.solve(arc.box.chart.axis(), zero)) {
+        return false;
+    }
+    for (size_t i = 0; i < 4; ++i) {
+        zero[i] -= z[i];
+    }
+    return largest(zero) <= one_zero;
+}
+
+// In the part, of the pieces around it; where these are several the one nearest to its middle.
+double ArcPlaces::place_in(const CrossBox &box, const CrossSpot &spot, size_t i) const noexcept {
+    const CrossCell &cell = box.cell(i);
+    const CrossPiece &piece = cell.piece();
+    const size_t k = i % 2;
+    const int64_t n = count(i), own = piece.index[k];
+    double nearest = infinity;
+    for (const int64_t step : {0, 1, -1}) {
+        int64_t at = own + step;
+        if ((at < 0 || at >= n) && !wraps(i)) {
+            continue;
+        }
+        at = (at + n) % n;
+        if (at != spot.index[i]) {
+            continue;
+        }
+        const double stretch = length(i, at) / length(i, own), x = step == 0 ? spot.place[i]
+                                                                   : step == 1
+                                                                       ? 1 + stretch * spot.place[i]
+                                                                       : -stretch * (1 - spot.place[i]);
+        const Interval &within = piece.within[k];
+        const double z = cell.in_part(k, (x - within.lower) / (within.upper - within.lower));
+        nearest = std::abs(z - 0.5) < std::abs(nearest - 0.5) ? z : nearest;
+    }
+    return nearest;
+}
+
+} // namespace nrb::intersect
