@@ -175,12 +175,13 @@ void meet_surfaces(const nurbs *a, const nurbs *b, double tolerance, int64_t wor
 }
 
 // Both curves of a branch are in one domain.
-void meet_itself(const nurbs *g, double tolerance, int64_t work) {
+void meet_itself(const nurbs *g, double tolerance, int64_t work, bool plain = false) {
     nurbs_call_options call;
     FUZZ_REQUIRE(nurbs_call_options_init(&call, sizeof call) == NURBS_OK);
     call.work = work;
     nurbs_meet *found = nullptr;
-    if (FUZZ_OK(nurbs_surface_self_intersections_with(g, tolerance, &call, &found))) {
+    if (plain ? FUZZ_OK(nurbs_surface_self_intersections(g, tolerance, &found))
+              : FUZZ_OK(nurbs_surface_self_intersections_with(g, tolerance, &call, &found))) {
         look_at(found);
         nurbs_meet_destroy(found);
     } else {
@@ -297,6 +298,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (FUZZ_OK(nurbs_domain(surface.get(), 0, domain)) &&
         FUZZ_OK(nurbs_iso(surface.get(), 0, domain[0], 0, &side))) {
         meet(fuzz::Handle(side).get(), surface.get(), tolerance, 500000); // an overlap
+    }
+    if (in.rarely()) {
+        meet_itself(surface.get(), tolerance, 0, true);
     }
     return 0;
 }

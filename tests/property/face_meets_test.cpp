@@ -85,6 +85,26 @@ TEST(FaceMeets, NeighboursMayCrossElsewhere) {
     }
 }
 
+// The height .05 y - .1 y^2 is nowhere more than a few tolerances, the crossing at y = 1/2 as long as the edge: what is farther from
+// an edge than faces stay by its side is not of it.
+TEST(FaceMeets, CrossingsBesideFlatEdgesAreTold) {
+    const Handle floor = solids::plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const Handle hill = create({{1, 2},
+                                {2, 3},
+                                {{0, 0, 1, 1}, {0, 0, 0, 1, 1, 1}},
+                                3,
+                                {0, 0, 0, 0, 0.5, 0.025, 0, 1, -0.05, 1, 0, 0, 1, 0.5, 0.025, 1, 1, -0.05},
+                                {}});
+    const Face a = solids::around_domain(floor, {-5, 0, 0, 0}),
+               b = solids::around_domain(hill, {-5, 0, 0, 0});
+    for (const double near : {1e-6, 1e-4, 2e-3}) {
+        const FaceMeet found = face_meet(a.get(), b.get(), near);
+        EXPECT_EQ(found.count(NURBS_BRANCH_EDGE), 1) << near;
+        EXPECT_EQ(found.count(NURBS_BRANCH_CROSSING), 1) << near;
+        EXPECT_NEAR(found.length(NURBS_BRANCH_CROSSING), 1, near);
+    }
+}
+
 namespace {
 
 using Pair = std::pair<int64_t, int64_t>;

@@ -13,14 +13,15 @@ struct CutPlace {
     int side; // of the triangle: that on which the side from here to the next place lies, -1: none
 };
 
-// Part of a triangle: a convex polygon. Each of four lines adds a place at most.
+// Part of a triangle: a convex polygon. Each of four lines adds one place; where rounding makes a polygon cross a line more often, 3 places
+// become 4, 6, 9 and 13 at most.
 class CutPolygon {
 public:
     [[nodiscard]] std::span<const CutPlace> places() const noexcept { return {all_.data(), count_}; }
     void add(const CutPlace &place) noexcept { all_[count_++] = place; }
 
 private:
-    std::array<CutPlace, 8> all_{};
+    std::array<CutPlace, 13> all_{};
     size_t count_ = 0;
 };
 

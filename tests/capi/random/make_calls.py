@@ -23,7 +23,7 @@ INTEGERS = {"int64_t": "integer", "int32_t": "small_integer", "nurbs_status": "s
 
 def lengths_of_handles(arguments, where=()):
     """The numbers that say how many handles or bytes there are, which the library cannot check; `where` defines some."""
-    fixed = (Handles, Items, Bytes)
+    fixed = (Handles, Items, Bytes, NewHandle)
     names = {name for entry, value in arguments if isinstance(value, fixed) for name in re.findall(r"[a-z_]+", entry.shape)}
     names = names.union(*(re.findall(r"[a-z_]+", where[name]) for name in names if name in where))
     return names.union(*(re.findall(r"[a-z_]+", entry.shape) for entry, _ in arguments if entry.name in names))
