@@ -71,7 +71,8 @@ CellRule DomainMesher::cell_rule() const {
     rule.longest = grid_.scaled(longest_);
     rule.angle = angle_;
     rule.least = least_;
-    rule.work_behind = work_of_triangle; // it has two, and one takes as long as the cell
+    // It has two, and one takes as long as the cell. What is small for other sakes than its distance is told as near as it is.
+    rule.work_behind = longest_ > 0 || angle_ > 0 ? 2 * work_of_triangle : work_of_triangle;
     for (size_t k = 0; k < 2; ++k) {
         const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
         const double parts = domain_.closed[k]                                    ? 3
