@@ -17,7 +17,8 @@ struct CutPlace {
 // become 4, 6, 9 and 13 at most.
 class CutPolygon {
 public:
-    [[nodiscard]] std::span<const CutPlace> places() const noexcept { return {all_.data(), count_}; }
+    [[nodiscard]] std::span<const CutPlace> places() const &noexcept { return {all_.data(), count_}; }
+    void places() && = delete; // they would be gone
     void add(const CutPlace &place) noexcept { all_[count_++] = place; }
 
 private:

@@ -241,7 +241,8 @@ TEST(CutTriangle, parts_make_up_the_triangle) {
             for (int v = 0; v < 4; ++v) {
                 const double a = u, b = v;
                 std::vector<Param> places;
-                for (const CutPlace &place : cut_triangle(params, {{a, b}, {a + 1, b + 1}}).places()) {
+                const CutPolygon polygon = cut_triangle(params, {{a, b}, {a + 1, b + 1}});
+                for (const CutPlace &place : polygon.places()) {
                     places.push_back(place.at);
                 }
                 sum += area(places);
