@@ -37,7 +37,7 @@ using Quad = std::array<Corner, 4>; // at (0, 0), (1, 0), (1, 1), (0, 1)
 // In the plane z = a x + b y.
 SplineData bilinear(const Quad &quad, double slope_x, double slope_y) {
     SplineData data{{1, 1}, {2, 2}, {{0, 0, 1, 1}, {0, 0, 1, 1}}, 3, {}, {}, 0};
-    for (const size_t i : {0, 3, 1, 2}) {
+    for (const size_t i : std::array<size_t, 4>{0, 3, 1, 2}) {
         const auto &[x, y] = quad[i];
         data.points.insert(data.points.end(), {x, y, slope_x * x + slope_y * y});
     }
