@@ -499,7 +499,7 @@ TEST(SelfSurfaces, NothingIsMissedThatMeshesShow) {
             }
         }
     }
-    EXPECT_GE(crossings, 100);
+    EXPECT_GE(crossings, 5 * scaled(16));
     EXPECT_LE(missed, crossings / 100);
 }
 
