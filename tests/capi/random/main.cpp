@@ -26,7 +26,7 @@ namespace {
 using namespace random_calls;
 
 constexpr int64_t steps_of_a_chunk = 400;
-constexpr double most_seconds = 3, patience = 120;
+constexpr double most_seconds = 8, patience = 120;
 constexpr int64_t most_held = 500000000, large_result = 100000000;
 
 struct Options {
