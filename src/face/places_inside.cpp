@@ -17,28 +17,12 @@ struct Place {
 
 // At a share of the highest part of a column inside of a face.
 std::optional<Place> place_in_column(const Face &face, double u, double share) {
-    struct Crossing {
-        double v;
-        int passed;
-    };
-    const TrimMap &trims = face.trims();
-    const Interval domain = face.covering().domain(1);
-    std::vector<Crossing> crossings;
-    trims.in_column(u, [&](const TrimPiece &piece) {
-        const double v = trims.pieces().point(piece, trims.pieces().place_of(piece, 0, u))[1];
-        crossings.push_back({v, trims.passed(piece)});
-    });
-    std::ranges::sort(crossings, std::ranges::greater{}, &Crossing::v);
-    crossings.push_back({domain.lower, 0});
     std::optional<Place> best;
-    int value = trims.value_at_top(u);
-    double above = domain.upper;
-    for (const Crossing &crossing : crossings) {
-        if (value > 0 && above - crossing.v > (best ? best->height : 0)) {
-            best = Place{{u, crossing.v + share * (above - crossing.v)}, above - crossing.v};
+    for (const TrimMap::ColumnPart &part : face.trims().parts_of_column(u)) {
+        const double height = part.v.upper - part.v.lower;
+        if (part.value > 0 && height > (best ? best->height : 0)) {
+            best = Place{{u, part.v.lower + share * height}, height};
         }
-        value += crossing.passed;
-        above = crossing.v;
     }
     return best;
 }

@@ -78,13 +78,18 @@ void Column::set_places(Interval column) {
 void Column::pass_the_top() {
     const auto is_on_top = [&](const ColumnPart &part) { return part.piece->lower[1] >= v_breaks_.back(); };
     for (const ColumnPart &part : parts_) {
-        const auto first = std::lower_bound(places_.begin(), places_.end(), part.u.lower) - places_.begin();
-        for (auto i = static_cast<size_t>(first);
-             is_on_top(part) && i < values_.size() && places_[i] < part.u.upper; ++i) {
-            values_[i] += part.passed;
+        if (is_on_top(part)) {
+            pass(part, values_);
         }
     }
     std::erase_if(parts_, is_on_top);
+}
+
+void Column::pass(const ColumnPart &part, std::vector<int> &values) const {
+    const auto first = std::lower_bound(places_.begin(), places_.end(), part.u.lower) - places_.begin();
+    for (auto i = static_cast<size_t>(first); i < values.size() && places_[i] < part.u.upper; ++i) {
+        values[i] += part.passed;
+    }
 }
 
 void Column::check_value(int value, double width) const {

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] const std::vector<double> &places() const noexcept { return places_; }
     // How many loops go around places below the top, between each place and the next one.
     [[nodiscard]] const std::vector<int> &values_at_top() const noexcept { return values_; }
+    // Adds what is passed with a part to values between its places.
+    void pass(const ColumnPart &part, std::vector<int> &values) const;
     // Throws Status::orientation unless a value > 0 is 1. Slivers between loops that run along each other are left as they are.
     void check_value(int value, double width) const;
 

@@ -55,11 +55,7 @@ private:
                         {v_breaks_[part.row], v_breaks_[part.row + 1]},
                         {0, 1},
                         static_cast<double>(part.passed)});
-        const std::vector<double> &places = column_.places();
-        const auto first = std::lower_bound(places.begin(), places.end(), part.u.lower) - places.begin();
-        for (auto i = static_cast<size_t>(first); i < values_.size() && places[i] < part.u.upper; ++i) {
-            values_[i] += part.passed;
-        }
+        column_.pass(part, values_);
     }
 
     Column column_;

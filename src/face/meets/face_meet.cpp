@@ -98,10 +98,9 @@ void drop_edges_along(Meet &regions, std::span<const CommonEdge> edges) {
 // Whether a place is as near to an edge as that is told.
 bool is_at(const double *x, const CommonEdge &edge) {
     const Spline &own = *edge.branch.space;
-    const double room = edge.room;
     return closest::locator_of(own)
                .nearest({x, nullptr, edge.room, closest::usual_budget(own), false, true})
-               .distance <= room;
+               .distance <= edge.room;
 }
 
 // Whether a curve cannot be told from an edge: it begins at it, and is as short as that.

@@ -196,7 +196,7 @@ std::vector<double> TrimMap::probe_columns() const {
     return columns;
 }
 
-void TrimMap::add_column(double u, Heights &heights) const {
+std::vector<TrimMap::ColumnPart> TrimMap::parts_of_column(double u) const {
     struct Crossing {
         double v;
         int passed;
@@ -211,10 +211,18 @@ void TrimMap::add_column(double u, Heights &heights) const {
     crossings.push_back({covering_->domain(1).lower, 0});
     int value = value_at_top(u);
     double above = covering_->domain(1).upper;
+    std::vector<ColumnPart> parts;
     for (const Crossing &crossing : crossings) {
-        heights[value] += std::max(above - crossing.v, 0.0);
+        parts.push_back({{crossing.v, above}, value});
         value += crossing.passed;
         above = crossing.v;
+    }
+    return parts;
+}
+
+void TrimMap::add_column(double u, Heights &heights) const {
+    for (const ColumnPart &part : parts_of_column(u)) {
+        heights[part.value] += std::max(part.v.upper - part.v.lower, 0.0);
     }
 }
 

@@ -42,6 +42,12 @@ public:
     [[nodiscard]] int value_at_top(double u) const noexcept;
     // Of each loop: whether it was turned.
     [[nodiscard]] const std::vector<bool> &turned() const noexcept { return turned_; }
+    // What lies between the pieces in a column, from its upper end to its lower one, with the value there.
+    struct ColumnPart {
+        Interval v;
+        int value;
+    };
+    [[nodiscard]] std::vector<ColumnPart> parts_of_column(double u) const;
     // Whether a piece comes into a box of the domain, to rounding.
     [[nodiscard]] bool cuts(const Point2 &lower, const Point2 &upper) const {
         return any_in(lower, upper,

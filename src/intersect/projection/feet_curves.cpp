@@ -4,7 +4,7 @@
 #include "base/watch.h"
 #include "intersect/projection/feet_segment.h"
 #include "intersect/surfaces/cross_chains.h"
-#include "intersect/surfaces/cross_curve.h"
+#include "intersect/surfaces/curves/cross_curve.h"
 #include "intersect/surfaces/surface_surface.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/surfaces/curves/division.h"
 #include "numeric/norm.h"
 
 #include <algorithm>
@@ -247,29 +248,19 @@ void FeetFitter::fit_between(const Node &a, const Node &b, int depth, std::vecto
     --left_;
 }
 
-// Errors fall with the fourth power of the length.
 void FeetFitter::divide(const Node &a, const Node &b, double deviation, int depth,
                         std::vector<CrossSegment> &segments) {
-    const double wanted = std::ceil(1.05 * std::sqrt(std::sqrt(deviation / tolerance_)));
-    const int parts = wanted < 16 ? std::max(static_cast<int>(wanted), 2) : std::isfinite(wanted) ? 16 : 2;
-    const size_t k = arc_->box.chart.axis();
-    Node from = a;
-    for (int i = 1; i <= parts; ++i) {
-        Node to = b;
-        if (i < parts) {
-            const double share = static_cast<double>(i) / parts;
-            FeetPlace at{};
-            for (size_t c = 0; c < 3; ++c) {
-                at[c] = a.at[c] + share * (b.at[c] - a.at[c]);
-            }
-            if (!arc_->box.solve(k, at)) {
-                continue;
-            }
-            to = node(at);
+    const Division division = division_for(deviation, tolerance_);
+    const auto between = [&](double share) {
+        FeetPlace at{};
+        for (size_t c = 0; c < at.size(); ++c) {
+            at[c] = a.at[c] + share * (b.at[c] - a.at[c]);
         }
-        fit_between(from, to, depth + (parts > 4 ? 3 : parts > 2 ? 2 : 1), segments);
-        from = to;
-    }
+        return arc_->box.solve(arc_->box.chart.axis(), at) ? std::optional(node(at)) : std::nullopt;
+    };
+    for_each_part(a, b, division.parts, between, [&](const Node &from, const Node &to) {
+        fit_between(from, to, depth + division.depth, segments);
+    });
 }
 
 void FeetFitter::to_parameters(CrossSegment &segment) const noexcept {

@@ -4,7 +4,7 @@
 
 #include "intersect/projection/feet/feet_kernel.h"
 #include "intersect/projection/feet_search.h"
-#include "intersect/surfaces/cross_segment.h"
+#include "intersect/surfaces/curves/cross_segment.h"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include "base/watch.h"
 #include "intersect/surfaces/contact/contact_curves.h"
 #include "intersect/surfaces/cross_clusters.h"
-#include "intersect/surfaces/cross_curve.h"
 #include "intersect/surfaces/cross_repeats.h"
+#include "intersect/surfaces/curves/cross_curve.h"
 #include "intersect/surfaces/overlap/overlaps.h"
 #include "intersect/surfaces/self/mirrored.h"
 

@@ -4,6 +4,7 @@
 #include "base/watch.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace nrb::mesh {
@@ -112,8 +113,14 @@ void TriangleProof::take_border() {
     for (const BorderSegment &segment : border.segments) {
         const face::Point2 &a = border.points[static_cast<size_t>(segment.from)].param,
                            &b = border.points[static_cast<size_t>(segment.to)].param;
-        const SegmentKey key{
-            a[0], a[1], b[0], b[1], segment.over[0], segment.over[1], segment.across ? 1.0 : 0.0};
+        const auto bits = [](double x) { return std::bit_cast<uint64_t>(x); };
+        const SegmentKey key{bits(a[0]),
+                             bits(a[1]),
+                             bits(b[0]),
+                             bits(b[1]),
+                             bits(segment.over[0]),
+                             bits(segment.over[1]),
+                             segment.across ? 1U : 0U};
         own_numbers_.push_back(
             numbers_.try_emplace(key, static_cast<int32_t>(numbers_.size())).first->second);
     }

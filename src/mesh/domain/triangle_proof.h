@@ -36,7 +36,7 @@ public:
 
 private:
     using Key = std::array<int32_t, 6>;
-    using SegmentKey = std::array<double, 7>; // its ends, and what is between it and its curve
+    using SegmentKey = std::array<uint64_t, 7>; // its ends, and what is between it and its curve, bit for bit
     struct Hash {
         size_t operator()(const Key &key) const noexcept;
     };

@@ -2,7 +2,7 @@
 #include "intersect/surfaces/contact/contact_curves.h"
 
 #include "base/watch.h"
-#include "intersect/surfaces/segment_seams.h"
+#include "intersect/surfaces/curves/segment_seams.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 
 #include "intersect/levels/level_meet.h"
 #include "intersect/surfaces/contact/contact_trace.h"
-#include "intersect/surfaces/cross_curve.h"
 #include "intersect/surfaces/cross_search.h"
+#include "intersect/surfaces/curves/cross_curve.h"
 
 namespace nrb::intersect {
 

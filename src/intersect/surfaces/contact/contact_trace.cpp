@@ -3,7 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "intersect/surfaces/cubic.h"
+#include "intersect/surfaces/curves/cubic.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "intersect/surfaces/contact/contact_point.h"
-#include "intersect/surfaces/cross_segment.h"
+#include "intersect/surfaces/curves/cross_segment.h"
 
 namespace nrb::intersect {
 

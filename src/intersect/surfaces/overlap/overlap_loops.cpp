@@ -2,7 +2,7 @@
 #include "intersect/surfaces/overlap/overlap_loops.h"
 
 #include "base/numbers.h"
-#include "intersect/surfaces/cubic.h"
+#include "intersect/surfaces/curves/cubic.h"
 
 #include <algorithm>
 #include <cmath>

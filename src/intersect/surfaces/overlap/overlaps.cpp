@@ -3,8 +3,8 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/surfaces/curves/segment_seams.h"
 #include "intersect/surfaces/overlap/overlap_proof.h"
-#include "intersect/surfaces/segment_seams.h"
 
 #include <algorithm>
 #include <cmath>

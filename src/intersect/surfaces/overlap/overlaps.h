@@ -3,8 +3,8 @@
 #pragma once
 
 #include "intersect/levels/level_meet.h"
-#include "intersect/surfaces/cross_curve.h"
 #include "intersect/surfaces/cross_search.h"
+#include "intersect/surfaces/curves/cross_curve.h"
 #include "intersect/surfaces/overlap/overlap_loops.h"
 
 namespace nrb::intersect {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "intersect/surfaces/segment_seams.h"
+#include "intersect/surfaces/curves/segment_seams.h"
 
 #include <algorithm>
 #include <cmath>

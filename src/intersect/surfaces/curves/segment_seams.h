@@ -2,8 +2,8 @@
 // Where segments of curves on two surfaces come to a seam.
 #pragma once
 
-#include "intersect/surfaces/cross_segment.h"
 #include "intersect/surfaces/cross_spot.h"
+#include "intersect/surfaces/curves/cross_segment.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "intersect/surfaces/cross_curve.h"
+#include "intersect/surfaces/curves/cross_curve.h"
 
 #include "base/numbers.h"
 #include "intersect/smooth_joint.h"
