@@ -95,9 +95,7 @@ Side DomainMesher::side_of(const Rectangle &part) const {
     if (index_->any_in(around) || domain_.cut(part)) {
         return Side::border;
     }
-    return domain_.inside({part.lower[0] / 2 + part.upper[0] / 2, part.lower[1] / 2 + part.upper[1] / 2})
-               ? Side::inside
-               : Side::outside;
+    return domain_.inside(part.middle()) ? Side::inside : Side::outside;
 }
 
 // Corners of cells inside, and room for the triangles of those with other places on their border than before.
@@ -117,37 +115,50 @@ void DomainMesher::look_at_cells() {
             state.corners = cells_.table().corners(all[i]);
         }
         const int32_t count = cells_.table().border_count(state.corners);
-        more += state.places == count ? 0 : static_cast<size_t>(count) - 2;
+        more += state.places == count ? 0 : static_cast<size_t>(count) - (state.centred ? 0 : 2);
     }
     triangles_.make_room(more);
+}
+
+// The triangles of a cell, as sites.
+void DomainMesher::make_cell(int32_t cell, const std::vector<int32_t> &border,
+                             std::vector<std::array<int32_t, 3>> &sites) {
+    const Cell &own = cells_.tree().cells()[static_cast<size_t>(cell)];
+    sites.clear();
+    if (!states_[static_cast<size_t>(cell)].centred) {
+        CellTriangles(cells_.tree()).make(cells_.table(), own, border, sites);
+        for (auto &triangle : sites) {
+            std::ranges::transform(triangle, triangle.begin(),
+                                   [this](int32_t place) { return sites_.of_place(place); });
+        }
+        return;
+    }
+    const int32_t middle = sites_.of_param(cells_.tree().rectangle(own).middle(), own.block, -1);
+    for (size_t i = 0; i < border.size(); ++i) {
+        const int32_t next = border[(i + 1) % border.size()];
+        sites.push_back({sites_.of_place(border[i]), sites_.of_place(next), middle});
+    }
 }
 
 // Cells with as many places on their border as before have the triangles that they had.
 void DomainMesher::make_cells() {
     look_at_cells();
-    CellTriangles maker(cells_.tree());
     std::vector<int32_t> border;
     std::vector<std::array<int32_t, 3>> made;
-    const auto &all = cells_.tree().cells();
-    for (size_t i = 0; i < all.size(); ++i) {
+    for (size_t i = 0; i < states_.size(); ++i) {
         CellState &state = states_[i];
-        if (state.corners[0] < 0) {
-            continue;
-        }
-        const int32_t count = cells_.table().border_count(state.corners);
+        const int32_t count = state.corners[0] < 0 ? 0 : cells_.table().border_count(state.corners);
         if (state.places == count) {
             continue;
         }
         triangles_.remove(state.triangles);
         cells_.table().border(state.corners, border);
-        made.clear();
-        maker.make(cells_.table(), all[i], border, made);
+        const auto cell = static_cast<int32_t>(i);
+        make_cell(cell, border, made);
         state.places = count;
         state.triangles = {static_cast<int32_t>(triangles_.size()), static_cast<int32_t>(made.size())};
-        for (const auto &places : made) {
-            const SiteTriangle triangle{
-                {sites_.of_place(places[0]), sites_.of_place(places[1]), sites_.of_place(places[2])},
-                static_cast<int32_t>(i)};
+        for (const auto &sites : made) {
+            const SiteTriangle triangle{sites, cell};
             triangles_.add(triangle, mesh_triangle(triangle));
         }
     }

@@ -35,6 +35,7 @@ private:
     struct CellState {
         std::array<int32_t, 4> corners{-1, -1, -1, -1}; // places; -1: not known
         int32_t places = 0;                             // on its border
+        bool centred = false;                           // triangles are about a vertex in its middle
         TrianglePool::Range triangles;
     };
 
@@ -88,6 +89,9 @@ private:
     [[nodiscard]] double least_split(size_t triangle) const noexcept;
     [[nodiscard]] bool is_tiny(size_t triangle, const Split &split) const noexcept;
     [[nodiscard]] bool can_cut(int32_t cell) const noexcept;
+    bool centre(int32_t cell);
+    void make_cell(int32_t cell, const std::vector<int32_t> &border,
+                   std::vector<std::array<int32_t, 3>> &sites);
     [[nodiscard]] int parts_for(size_t triangle) const noexcept;
     void add_weak(int32_t segment, int parts);
     [[nodiscard]] bool is_pair(size_t triangle) const noexcept;
@@ -95,6 +99,8 @@ private:
     void leave_border();
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
+    void divide_in_strip(size_t triangle, std::vector<std::array<double, 2>> &places);
+    bool divide_cells(std::vector<int32_t> cells);
     [[nodiscard]] bool improve();
     [[nodiscard]] bool keep_least_angle();
     void refine_angles();

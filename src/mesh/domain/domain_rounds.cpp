@@ -13,6 +13,8 @@ namespace {
 
 // Rounds in which the strip is divided for an angle.
 constexpr int most_angle_rounds = 10;
+// Of the chord: triangles that are no farther may do with a vertex in the middle of their cell.
+constexpr double most_centred = 2;
 // Changes of the border for other sakes than distances.
 constexpr int most_changes = 12;
 // Of the domain: what is no longer is not divided where that helps, and where nothing is known of it.
@@ -171,6 +173,25 @@ void DomainMesher::leave_border() {
     }
 }
 
+// Gives a cell a vertex in its middle, where that may do: it changes nothing beside the cell, so that neighbours stay as they are. Returns
+// whether it does.
+bool DomainMesher::centre(int32_t cell) {
+    CellState &state = states_[static_cast<size_t>(cell)];
+    const auto may_do = [this](size_t i) {
+        return !is_long(i) && !is_turned(triangles_[i]) && !is_at_point(triangles_[i]) &&
+               distances(i).most() <= most_centred * chord_;
+    };
+    bool result = !state.centred;
+    for (int32_t i = 0; result && i < state.triangles.count; ++i) {
+        result = may_do(static_cast<size_t>(state.triangles.first + i));
+    }
+    if (result) {
+        state.centred = true;
+        state.places = 0;
+    }
+    return result;
+}
+
 void DomainMesher::cut(const std::vector<int32_t> &cells) {
     if (cells.empty()) {
         return;
@@ -204,54 +225,63 @@ void DomainMesher::add_place(const std::array<double, 2> &place,
     }
 }
 
-// Cells over the tolerance are cut, triangles of the strip get a new place.
+// A new place in it, or parts of the border.
+void DomainMesher::divide_in_strip(size_t triangle, std::vector<std::array<double, 2>> &places) {
+    const Split split = split_of(triangles_[triangle]);
+    if (is_tiny(triangle, split)) {
+        return;
+    }
+    if (split.border < 0 && !extra_.contains(split.place)) {
+        add_place(split.place, places);
+    } else if (is_large(triangle) || changes_ < most_changes) { // also where a place is on the border
+        for (const int32_t segment : triangles_[triangle].border) {
+            if (segment >= 0 && (split.border < 0 || segment == split.border)) {
+                add_weak(segment, parts_for(triangle));
+            }
+        }
+    }
+}
+
+// Returns whether there was anything to divide that can be.
+bool DomainMesher::divide_cells(std::vector<int32_t> cells) {
+    std::ranges::sort(cells);
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    const bool twice = round_ >= 4; // few are left, and every round takes its time: across both axes
+    count_work((twice ? 8 : 4) * work_of_triangle * std::ssize(cells)); // of the parts, which may be too many
+    if (cells.empty() || work_ended()) {
+        return false;
+    }
+    std::erase_if(cells, [this](int32_t cell) { return centre(cell); });
+    const auto before = static_cast<int32_t>(cells_.tree().cells().size());
+    cut(cells);
+    if (twice) {
+        for (auto cell = before; cell < static_cast<int32_t>(cells_.tree().cells().size()); ++cell) {
+            cells.push_back(cell);
+        }
+        cut(cells);
+    }
+    return true;
+}
+
+// Cells and triangles of the strip that are over the tolerance are divided.
 bool DomainMesher::improve() {
-    std::vector<int32_t> over;
-    std::vector<std::array<double, 2>> more;
+    std::vector<int32_t> cells;
+    std::vector<std::array<double, 2>> places;
     for (size_t i = 0; i < triangles_.size(); ++i) {
         is_off_ = is_off_ || (triangles_.has(i) && is_large(i) && corners_off(i) > chord_);
         if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
-        const SiteTriangle triangle = triangles_[i];
-        if (triangle.cell >= 0) { // without any bound they are as small as is sensible
-            if (distances(i).from_shape < infinity && can_cut(triangle.cell)) {
-                over.push_back(triangle.cell);
-            }
-            continue;
-        }
-        const Split split = split_of(triangle);
-        if (is_tiny(i, split)) {
-            continue;
-        }
-        if (split.border < 0 && !extra_.contains(split.place)) {
-            add_place(split.place, more);
-        } else if (is_large(i) || changes_ < most_changes) { // also where a place is on the border
-            for (const int32_t segment : triangle.border) {
-                if (segment >= 0 && (split.border < 0 || segment == split.border)) {
-                    add_weak(segment, parts_for(i));
-                }
-            }
+        if (const int32_t cell = triangles_[i].cell; cell < 0) {
+            divide_in_strip(i, places);
+        } else if (distances(i).from_shape < infinity && can_cut(cell)) {
+            cells.push_back(cell); // without any bound they are as small as is sensible
         }
     }
-    std::ranges::sort(over);
-    over.erase(std::unique(over.begin(), over.end()), over.end());
     const size_t known = extra_.size();
-    extra_.insert(more.begin(), more.end());
-    const auto before = static_cast<int32_t>(cells_.tree().cells().size());
-    const bool twice = round_ >= 4; // few are left, and every round takes its time: across both axes
-    count_work((twice ? 8 : 4) * work_of_triangle * std::ssize(over)); // of the parts, which may be too many
-    if (work_ended()) {
-        over.clear();
-    }
-    cut(over);
-    if (twice && !over.empty()) {
-        for (auto cell = before; cell < static_cast<int32_t>(cells_.tree().cells().size()); ++cell) {
-            over.push_back(cell);
-        }
-        cut(over);
-    }
-    return !over.empty() || extra_.size() > known;
+    extra_.insert(places.begin(), places.end());
+    const bool divided = divide_cells(std::move(cells));
+    return divided || extra_.size() > known;
 }
 
 } // namespace nrb::mesh

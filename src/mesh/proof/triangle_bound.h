@@ -28,6 +28,9 @@ struct Rectangle {
 
     [[nodiscard]] double side(size_t k) const noexcept { return upper[k] - lower[k]; }
     [[nodiscard]] std::array<double, 2> sides() const noexcept { return {side(0), side(1)}; }
+    [[nodiscard]] std::array<double, 2> middle() const noexcept {
+        return {lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
+    }
 };
 
 // A corner: parameters, and the point in space.
