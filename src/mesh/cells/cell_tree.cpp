@@ -63,11 +63,23 @@ void CellTree::clear() noexcept {
     boxes_.reset();
 }
 
+namespace {
+
+// For so many more, and for the few of later rounds: each move of all takes its time, and of large meshes room that is not used is a good
+// part of all memory.
+template <class T>
+void make_room(std::vector<T> &values, size_t more) {
+    if (values.capacity() < values.size() + more) {
+        values.reserve(values.size() + std::max(more, values.size() / 32));
+    }
+}
+
+} // namespace
+
 void CellTree::cut(const std::vector<int32_t> &cells) {
     Builder builder(grid_, rule_, *this);
-    // No more than there will be: of large meshes room that is not used is a good part of all memory.
-    cells_.reserve(cells_.size() + cells.size());
-    nodes_.reserve(nodes_.size() + 3 * cells.size());
+    make_room(cells_, cells.size());
+    make_room(nodes_, 3 * cells.size());
     for (const int32_t cell : cells) {
         builder.cut(cell);
     }
