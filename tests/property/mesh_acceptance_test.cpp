@@ -219,16 +219,18 @@ TEST(MeshAcceptance, permuted_coordinates_have_the_permuted_mesh) {
 
 // The axes of the domain in the other order turn the triangles round.
 TEST(MeshAcceptance, swapped_axes_have_as_many_triangles) {
-    for_each_case(31, 6, [](Random &random, uint64_t seed) {
+    double all = 0, all_turned = 0;
+    for_each_case(31, 24, [&](Random &random, uint64_t seed) {
         const Handle g = create(rough(random));
         const int32_t order[] = {1, 0};
         const Handle turned = made([&](nurbs **out) { return nurbs_transpose(g.get(), order, out); });
         const Mesh mesh = mesh_of(g.get(), 1e-2), other = mesh_of(turned.get(), 1e-2);
-        const auto count = static_cast<double>(mesh.triangles.size());
-        EXPECT_NEAR(static_cast<double>(other.triangles.size()), count, 0.05 * count) << seed;
+        all += static_cast<double>(mesh.triangles.size());
+        all_turned += static_cast<double>(other.triangles.size());
         EXPECT_NEAR(area_of(other), area_of(mesh), 1e-2) << seed;
         EXPECT_NEAR(volume_of(other), -volume_of(mesh), 1e-2) << seed;
     });
+    EXPECT_NEAR(all_turned, all, (of_whole_run(1) > 0 ? 0.02 : 0.1) * all);
 }
 
 namespace {
