@@ -7231,8 +7231,9 @@ NURBS_API nurbs_status nurbs_face_curve(const nurbs_face *face, int64_t loop, in
 
 /** \brief The edge in space that belongs to a curve of a loop: the one that was given, in its own direction,
  * or one that is made. That is the surface composed with the curve where its degree is at most
- * NURBS_MAX_DEGREE and the curve stays in the domain (nurbs_compose()), else a curve through as many places
- * as the tolerance of the face takes.
+ * NURBS_MAX_DEGREE and the curve stays in the domain (nurbs_compose(); on a plane parallelogram of degree 1 the curve
+ * with its control points moved there, of its own degree), else a curve through as many places as the tolerance of the
+ * face takes.
  * \param[in] face a face.
  * \param[in] loop 0-based.
  * \param[in] index 0-based, in the loop.

@@ -107,7 +107,7 @@ static void edges(void) {
     nurbs_face *face = NULL;
     double gap = -1, distance = -1, points[6];
     int64_t key = 0;
-    int32_t proven = 0;
+    int32_t proven = 0, degree_of_edge = 0;
     CHECK_OK(nurbs_face_create(surface, 1, SIZES(3), CURVES(south, east, NULL), CURVES(NULL, NULL, diagonal),
                                SIZES(5, -6, -7), 1e-9, 0, &gap, &face));
     CHECK(gap >= 0 && gap <= 1e-9);
@@ -122,7 +122,12 @@ static void edges(void) {
     CHECK_OK(nurbs_eval(edge, 1, VALUES(-1), 0, 0, end, 0, 0, 0)); /* against the curve, t -> -t */
     CHECK_NEAR(end, VALUES(2, 3, 0), 3, 1e-12);
     nurbs_destroy(edge);
-    CHECK_OK(nurbs_face_edge(face, 0, 0, NULL, &edge));
+    CHECK_OK(nurbs_face_edge(face, 0, 0, NULL,
+                             &edge)); /* of a plane: of the degree of the curve, from corner to corner */
+    CHECK_OK(nurbs_degree(edge, 0, &degree_of_edge));
+    CHECK_INT(degree_of_edge, 1);
+    CHECK_OK(nurbs_points(edge, 2, points, 0, 0));
+    CHECK_DOUBLES(points, VALUES(0, 0, 0, 2, 0, 0), 6);
     nurbs_destroy(edge);
     CHECK_OK(nurbs_face_curve(face, 0, 2, &curve));
     CHECK_OK(nurbs_eval(curve, 1, VALUES(-1), 0, 0, end, 0, 0, 0));

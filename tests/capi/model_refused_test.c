@@ -137,10 +137,10 @@ static nurbs_status reading(const char *text) {
     return nurbs_read_model(text, (int64_t)strlen(text), NULL, &out_);
 }
 
-static int32_t stop(double done, void *user) {
+static int32_t go_on(double done, void *user) {
     (void)done;
     (void)user;
-    return 1;
+    return 0;
 }
 
 static void files(void) {
@@ -174,8 +174,8 @@ static void files(void) {
     nurbs_model_destroy(out_);
     nurbs_call_options call;
     CHECK_OK(nurbs_call_options_init(&call, (int64_t)sizeof call));
-    call.progress = stop;
-    CHECK_OK(nurbs_read_model_with(BYTES, NULL, &call, &out_)); /* too short to be asked */
+    call.progress = go_on;
+    CHECK_OK(nurbs_read_model_with(BYTES, NULL, &call, &out_));
     nurbs_model_destroy(out_);
     call.work = 1;
     CHECK_NO_MODEL(out_, nurbs_read_model_with(BYTES, NULL, &call, &out_), NURBS_ERROR_WORK, "");

@@ -342,8 +342,12 @@ SplinePtr composed_over_seams(const SplinePtr &surface, const Covering &covering
 
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
     const int degrees = surface->axis(0).degree() + surface->axis(1).degree();
-    const bool possible = degrees * curve->axis(0).degree() <= max_degree && inside(covering, *curve);
-    return possible ? refine::compose(surface, curve) : nullptr;
+    if (degrees * curve->axis(0).degree() > max_degree || !inside(covering, *curve)) {
+        return nullptr;
+    }
+    const bool plain = curve->form() != Form::homogeneous && !curve->axis(0).periodic();
+    const auto chart = plain ? PlaneChart::of(*surface) : std::nullopt;
+    return chart ? chart->edge_over(*curve) : refine::compose(surface, curve);
 }
 
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,

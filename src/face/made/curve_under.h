@@ -39,7 +39,8 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
 double proven_distance(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                        const Spline &edge);
 
-// The surface composed with a curve in its domain; null where the degree would be above max_degree, or the curve leaves the domain.
+// The surface composed with a curve in its domain, on a plane parallelogram of the degree of the curve; null where the degree would be above
+// max_degree, or the curve leaves the domain.
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve);
 
 // The curve in space that a curve in the plane is mapped to: composed exactly, between seams that it passes, where its degree is

@@ -21,6 +21,16 @@ std::vector<double> control_point(const Spline &edge, int64_t i) {
     return point;
 }
 
+// Knots and weights of a curve with other points.
+SplinePtr with_points(const Spline &curve, int dim, const std::vector<double> &points) {
+    std::vector<double> weights;
+    for (int64_t i = 0; curve.rational() && i < curve.point_count(); ++i) {
+        weights.push_back(curve.weight(i));
+    }
+    return make_result(curve.knot_vectors(), dim, curve.rational() ? Form::rational : Form::polynomial,
+                       points, weights);
+}
+
 // Whether two curves combine their control points alike.
 bool same_basis(const Spline &a, const Spline &b) noexcept {
     const std::span<const double> knots = a.axis(0).knots(), others = b.axis(0).knots();
@@ -35,7 +45,8 @@ bool same_basis(const Spline &a, const Spline &b) noexcept {
 } // namespace
 
 std::optional<PlaneChart> PlaneChart::of(const Spline &surface) {
-    if (surface.form() != Form::polynomial || surface.axis(0).degree() != 1 ||
+    const auto weights = surface.all_weights();
+    if (!(weights.smallest == weights.largest && weights.smallest > 0) || surface.axis(0).degree() != 1 ||
         surface.axis(1).degree() != 1 || surface.point_count() != 4 || surface.axis(0).periodic() ||
         surface.axis(1).periodic()) {
         return std::nullopt;
@@ -44,6 +55,7 @@ std::optional<PlaneChart> PlaneChart::of(const Spline &surface) {
     PlaneChart chart;
     const KnotVector &u = surface.axis(0), &v = surface.axis(1);
     chart.origin_ = {u[1], v[1]};
+    chart.far_ = {u[2], v[2]};
     double off = 0, largest = 0;
     for (size_t c = 0; c < dim; ++c) {
         const auto p = [&](int64_t i) { return surface.coordinate(i, static_cast<int>(c)); };
@@ -54,6 +66,10 @@ std::optional<PlaneChart> PlaneChart::of(const Spline &surface) {
         for (int64_t i = 0; i < 4; ++i) {
             largest = std::max(largest, std::abs(p(i)));
         }
+    }
+    for (int64_t i = 0; i < 4; ++i) {
+        const std::vector<double> corner = control_point(surface, i);
+        chart.corners_.insert(chart.corners_.end(), corner.begin(), corner.end());
     }
     // The rows of the pseudoinverse, from the first fundamental form.
     const double uu = dot(chart.by_u_, chart.by_u_), uv = dot(chart.by_u_, chart.by_v_),
@@ -87,24 +103,36 @@ double PlaneChart::distance_of(const double *point, const Point2 &place) const n
 }
 
 MadeCurve PlaneChart::curve_under(const Spline &edge, double tolerance) const {
-    std::vector<double> points, weights;
+    std::vector<double> points;
     double farthest = 0;
     for (int64_t i = 0; i < edge.point_count(); ++i) {
         const std::vector<double> point = control_point(edge, i);
         const Point2 x = place(point.data());
         farthest = std::max(farthest, distance_of(point.data(), x));
         points.insert(points.end(), x.begin(), x.end());
-        if (edge.rational()) {
-            weights.push_back(edge.weight(i));
-        }
     }
     if (!(farthest <= tolerance)) {
         fail(Status::gap, "the edge is %s from the plane of the surface, expected at most the tolerance %s",
              Number(farthest).text, Number(tolerance).text);
     }
-    return {make_result(edge.knot_vectors(), 2, edge.rational() ? Form::rational : Form::polynomial, points,
-                        weights),
-            farthest, true};
+    return {with_points(edge, 2, points), farthest, true};
+}
+
+SplinePtr PlaneChart::edge_over(const Spline &curve) const {
+    const size_t dim = corner_.size();
+    std::vector<double> points;
+    for (int64_t i = 0; i < curve.point_count(); ++i) {
+        Point2 share{};
+        for (size_t k = 0; k < 2; ++k) {
+            share[k] = (curve.coordinate(i, static_cast<int>(k)) - origin_[k]) / (far_[k] - origin_[k]);
+        }
+        for (size_t c = 0; c < dim; ++c) {
+            const double *p = corners_.data() + c;
+            points.push_back(std::lerp(std::lerp(p[0], p[dim], share[1]),
+                                       std::lerp(p[2 * dim], p[3 * dim], share[1]), share[0]));
+        }
+    }
+    return with_points(curve, static_cast<int>(dim), points);
 }
 
 double PlaneChart::distance_between(const Spline &curve, const Spline &edge) const {
