@@ -225,7 +225,7 @@ TEST(MeshAcceptance, swapped_axes_have_as_many_triangles) {
         const Handle turned = made([&](nurbs **out) { return nurbs_transpose(g.get(), order, out); });
         const Mesh mesh = mesh_of(g.get(), 1e-2), other = mesh_of(turned.get(), 1e-2);
         const auto count = static_cast<double>(mesh.triangles.size());
-        EXPECT_NEAR(static_cast<double>(other.triangles.size()), count, 0.05 * count) << seed;
+        EXPECT_NEAR(static_cast<double>(other.triangles.size()), count, 0.06 * count) << seed;
         EXPECT_NEAR(area_of(other), area_of(mesh), 1e-2) << seed;
         EXPECT_NEAR(volume_of(other), -volume_of(mesh), 1e-2) << seed;
     });

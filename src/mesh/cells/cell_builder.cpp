@@ -27,6 +27,12 @@ constexpr double raster = 0x1p22 * 729 * 125 * 49;
 // Where weights may pass through 0 surfaces may have no end.
 constexpr int most_divisions = 16;
 
+// By how much the surface is about to differ, in its plane, from one that runs evenly along an axis.
+double uneven(const HessianBox &box, size_t k) noexcept {
+    const auto along = [&](size_t c) { return (k == 0 ? box.of(c).uu : box.of(c).vv).most(); };
+    return diagonal(along(0), along(1)) / (8 * box.least_weight());
+}
+
 } // namespace
 
 // Blocks end where the homogeneous coordinates may have a kink.
@@ -360,6 +366,16 @@ CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
     return item;
 }
 
+// Where the surface is flat enough and yet no proof is found: where it turns most, else where it runs least evenly, since what comes out over
+// sides is told from second derivatives, else across the longer side.
+size_t CellTree::Builder::axis_of_flat(const Rectangle &part, const HessianBox &box) const noexcept {
+    if (const CellTurn turn = turn_of(box, rule_.least); rule_.angle > 0 && turn.both > rule_.angle / 2) {
+        return turn.along[0] >= turn.along[1] ? 0 : 1;
+    }
+    const double u = uneven(box, 0), v = uneven(box, 1);
+    return std::max(u, v) > rule_.chord ? (u >= v ? 0 : 1) : cut_of_flat(part, box).axis;
+}
+
 void CellTree::Builder::cut(int32_t number) {
     const Cell cell = tree_.cells_[static_cast<size_t>(number)];
     block_ = cell.block;
@@ -367,14 +383,13 @@ void CellTree::Builder::cut(int32_t number) {
     const HessianBox box = tree_.box(number);
     CellBend bend = bend_of(box);
     bend.alone = true; // no help of others was enough, but in the end triangles do without
-    const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
-    const CellTurn turn =
-        rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(box, rule_.least) : CellTurn{};
-    const bool first = turn.both > rule_.angle / 2 ? turn.along[0] >= turn.along[1] : u <= v;
+    const bool bent = !(bend.in_parts(1, 1) <= rule_.chord);
+    const size_t axis =
+        bent ? (bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1) : axis_of_flat(item.part, box);
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;
     open_.clear();
-    if (!divide(item, {first ? size_t{0} : size_t{1}, 0.5})) {
+    if (!divide(item, {axis, 0.5})) {
         pool_.clear();
         return;
     }

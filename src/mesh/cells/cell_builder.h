@@ -43,6 +43,7 @@ private:
         return rule_.angle > 0 && turn_of(box, rule_.least).both > rule_.angle;
     }
     [[nodiscard]] Cut cut_of_flat(const Rectangle &part, const HessianBox &box) const noexcept;
+    [[nodiscard]] size_t axis_of_flat(const Rectangle &part, const HessianBox &box) const noexcept;
     [[nodiscard]] Side side_of(const Item &item) const;
     void make_nets(Item &item);
     struct Found {

@@ -95,6 +95,10 @@ private:
     void leave_border();
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
+    void divide_beside(std::vector<std::pair<size_t, double>> front,
+                       std::vector<std::array<double, 2>> &places);
+    [[nodiscard]] std::vector<std::pair<size_t, double>> beside(const std::vector<double> &sizes,
+                                                                const std::vector<bool> &done) const;
     [[nodiscard]] bool improve();
     [[nodiscard]] bool keep_least_angle();
     void refine_angles();
