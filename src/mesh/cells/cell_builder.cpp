@@ -27,6 +27,25 @@ constexpr double raster = 0x1p22 * 729 * 125 * 49;
 // Where weights may pass through 0 surfaces may have no end.
 constexpr int most_divisions = 16;
 
+// The number among them that is nearest to t, if it is within a distance; else t.
+double nearest_line(const std::set<double> &lines, double t, double room) {
+    const auto above = lines.lower_bound(t);
+    double best = t, distance = room;
+    const auto look_at = [&](double line) {
+        if (std::abs(line - t) < distance) {
+            distance = std::abs(line - t);
+            best = line;
+        }
+    };
+    if (above != lines.end()) {
+        look_at(*above);
+    }
+    if (above != lines.begin()) {
+        look_at(*std::prev(above));
+    }
+    return best;
+}
+
 // By how much the surface is about to differ, in its plane, from one that runs evenly along an axis.
 double uneven(const HessianBox &box, size_t k) noexcept {
     const auto along = [&](size_t c) { return (k == 0 ? box.of(c).uu : box.of(c).vv).most(); };
@@ -51,6 +70,7 @@ void CellTree::Builder::set_blocks() {
 int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
     auto &lines = tree_.lines_[k];
     lines.push_back({t, from_left});
+    known_[k].insert(t);
     return static_cast<int32_t>(lines.size() - 1);
 }
 
@@ -242,16 +262,18 @@ void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side s
     }
 }
 
-// Cuts of neighbours at one place are at one number, however they were computed.
-double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const noexcept {
+// Cuts of neighbours at one place are at one number, however they were computed: where they are not on the raster, and rounded to it more
+// than once, at the line that there is.
+double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const {
     const Rectangle block = tree_.block(block_);
     const double place = std::round((t - block.lower[k]) / block.side(k) * raster) / raster;
-    const double result = block.lower[k] + place * block.side(k);
+    const double result =
+        nearest_line(known_[k], block.lower[k] + place * block.side(k), same_line * block.side(k));
     return result > item.part.lower[k] && result < item.part.upper[k] ? result : t;
 }
 
 // Between two pieces if there are several.
-double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const noexcept {
+double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const {
     const double wanted = on_raster(item, k, item.part.lower[k] + share * item.part.side(k));
     if (item.pieces.count(k) == 1) {
         return wanted;
