@@ -30,11 +30,8 @@ bool is_limited(const mesh::MeshRule &rule) noexcept {
     return rule.relative > 0 || rule.longest > 0 || (rule.angle > 0 && rule.angle < std::numbers::pi);
 }
 
+// The other limits first: without a sound one of these an infinite chord is not the fault.
 void check_limits(const mesh::MeshRule &rule) {
-    if (!(rule.chord > 0) || (std::isinf(rule.chord) && !is_limited(rule))) {
-        fail(Status::tolerance, "options: chord = %s, expected > 0, and finite without another limit",
-             Number(rule.chord).text);
-    }
     if (!(rule.relative >= 0) || std::isinf(rule.relative)) {
         fail(Status::tolerance, "options: relative_chord = %s, expected 0, or a share",
              Number(rule.relative).text);
@@ -48,6 +45,10 @@ void check_limits(const mesh::MeshRule &rule) {
     if (!(rule.least_angle >= 0 && rule.least_angle <= std::numbers::pi / 6)) {
         fail(Status::angle, "options: minimum_angle = %s, expected one from 0 to pi / 6",
              Number(rule.least_angle).text);
+    }
+    if (!(rule.chord > 0) || (std::isinf(rule.chord) && !is_limited(rule))) {
+        fail(Status::tolerance, "options: chord = %s, expected > 0, and finite without another limit",
+             Number(rule.chord).text);
     }
 }
 

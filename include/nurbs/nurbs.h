@@ -9058,8 +9058,8 @@ NURBS_API nurbs_status nurbs_mesh_model_levels_with(const nurbs_model *model, in
  * neighbours have theirs in common: each side inside is one of two hexahedra. Where the volume jumps at a knot each side
  * has points of its own, the limits from there. A periodic axis is closed, and so is one whose two ends have the same
  * control points and weights bit for bit: the last points are the first. Where a side of the volume collapses along an
- * axis, so that its control points are the same bit for bit, its points are the same too: hexahedra there have a corner
- * several times. Control points that are equal but for rounding do not make points one.
+ * axis, so that its control points are the same bit for bit and their weights in proportion, its points are the same too:
+ * hexahedra there have a corner several times. Control points that are equal but for rounding do not make points one.
  *
  * nurbs_mesh_points() has the points, nurbs_mesh_hexahedra() the rest; there are no vertices and no triangles, and one
  * face, which is the whole.

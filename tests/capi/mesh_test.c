@@ -498,6 +498,10 @@ static void limits_refused(void) {
         CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_TOLERANCE, "relative_chord");
         options = options_of(1, 0, bad_sizes[i]);
         CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_LENGTH, "longest");
+        options = options_of(INFINITY, bad_sizes[i], 0);
+        CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_TOLERANCE, "relative_chord");
+        options = options_of(INFINITY, 0, bad_sizes[i]);
+        CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_LENGTH, "longest");
     }
     nurbs_mesh_options options = options_of(INFINITY, 0, 0);
     CHECK_NO_MESH(nurbs_mesh_surface(g, &options, &mesh), NURBS_ERROR_TOLERANCE, "chord = inf");

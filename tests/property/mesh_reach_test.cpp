@@ -90,4 +90,27 @@ TEST(MeshReach, borders_beyond_a_domain_are_as_far_as_they_are) {
     EXPECT_EQ(mesh_of(own.get(), 1.5 * beyond).triangles.size(), 2U);
 }
 
+// A curve and its edge are farther apart than such a chord however they are divided: not on and on.
+TEST(MeshReach, edges_are_not_divided_when_the_work_has_ended) {
+    Random random(1);
+    const Handle ground = wild(random, 6, 5);
+    const Handle border = polygon({{0.1, 0.2}, {0.8, 0.3}, {0.7, 0.9}});
+    const faces::Face own = faces::face_of(ground.get(), {{border.get()}});
+    nurbs_mesh_options options;
+    require_ok(nurbs_mesh_options_init(&options, sizeof options));
+    options.chord = 1e-14;
+    nurbs_call_options call;
+    require_ok(nurbs_call_options_init(&call, sizeof call));
+    call.work = 10'000'000;
+    nurbs_mesh *made = nullptr;
+    require_ok(nurbs_mesh_face_with(own.get(), &options, &call, &made));
+    const std::unique_ptr<nurbs_mesh, DestroyMesh> mesh(made);
+    int64_t edge_points = 0;
+    int32_t reached = -1;
+    require_ok(nurbs_mesh_counts(made, nullptr, nullptr, nullptr, nullptr, nullptr, &edge_points));
+    require_ok(nurbs_mesh_bound(made, nullptr, nullptr, &reached));
+    EXPECT_LE(edge_points, call.work / 300);
+    EXPECT_EQ(reached, 0);
+}
+
 } // namespace mesh_reach_test

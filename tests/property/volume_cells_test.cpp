@@ -658,4 +658,46 @@ TEST(Hexahedra, OfASolidCylinder) {
     EXPECT_LT(volume, whole);
 }
 
+// Points of a side that are the same along an axis, with weights: in proportion they make one point of each, otherwise they do not.
+TEST(Hexahedra, OfSidesThatCollapseButForTheirWeights) {
+    const std::vector<int32_t> degrees{1, 1, 1};
+    std::vector<double> points;
+    for (const Place &at :
+         {Place{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}, {1, 0, 0}, {1, 0, 1}, {1, 1, 0}, {1, 1, 1}}) {
+        points.insert(points.end(), {static_cast<double>(at[0] * at[1]), static_cast<double>(at[1]),
+                                     static_cast<double>(at[2])});
+    }
+    for (const double last : {6.0, 1.0}) { // of the weights 1, 2, 3, last on the side
+        const std::vector<double> weights{1, 2, 1, 1, 3, last, 1, 1};
+        const Handle g = made([&](nurbs **out) {
+            return nurbs_create_bezier(3, degrees.data(), 3, points.data(), 0, 0, weights.data(), 0, out);
+        });
+        const Hexahedra all = hexahedra_of(g.get(), 0.02);
+        EXPECT_EQ(all.reached, 1) << last;
+        std::set<int64_t> on_side;
+        for (size_t i = 0; i < all.corners.size(); ++i) {
+            for (size_t corner = 0; corner < 8; ++corner) {
+                std::vector<double> t(3);
+                for (size_t k = 0; k < 3; ++k) {
+                    t[k] = all.domains[i][2 * k + static_cast<size_t>(corner_places[corner][k])];
+                }
+                const auto &x = all.points[static_cast<size_t>(all.corners[i][corner])];
+                const std::vector<double> y = eval(g.get(), t);
+                for (size_t c = 0; c < 3; ++c) {
+                    EXPECT_NEAR(x[c], y[c], 16 * eps) << last;
+                }
+                if (t[1] == 0 && t[2] > 0 && t[2] < 1) {
+                    on_side.insert(all.corners[i][corner]);
+                }
+            }
+        }
+        std::set<double> up, along;
+        for (const auto &domain : all.domains) {
+            up.insert(domain[4]);
+            along.insert(domain[0]);
+        }
+        EXPECT_EQ(on_side.size(), (up.size() - 1) * (last == 6 ? 1 : along.size() + 1)) << last;
+    }
+}
+
 } // namespace volume_cells_test

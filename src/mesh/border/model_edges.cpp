@@ -81,7 +81,7 @@ std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<dou
 void ModelEdges::make_line(size_t line, const PolylineRule &rule) {
     std::vector<double> fixed = uses_.fixed_params(line);
     Polyline polyline = polyline_of(uses_.curve(line), rule, fixed);
-    for (int round = 0; round < most_polyline_rounds && std::isfinite(rule.chord); ++round) {
+    for (int round = 0; round < most_polyline_rounds && std::isfinite(rule.chord) && !work_ended(); ++round) {
         const std::vector<double> more = places_to_add(line, polyline.params, rule.chord);
         if (more.empty()) {
             break;

@@ -27,6 +27,31 @@ constexpr double raster = 0x1p22 * 729 * 125 * 49;
 // Where weights may pass through 0 surfaces may have no end.
 constexpr int most_divisions = 16;
 
+// The number among them that is nearest to t, if it is within a distance; else t.
+double nearest_line(const std::set<double> &lines, double t, double room) {
+    const auto above = lines.lower_bound(t);
+    double best = t, distance = room;
+    const auto look_at = [&](double line) {
+        if (std::abs(line - t) < distance) {
+            distance = std::abs(line - t);
+            best = line;
+        }
+    };
+    if (above != lines.end()) {
+        look_at(*above);
+    }
+    if (above != lines.begin()) {
+        look_at(*std::prev(above));
+    }
+    return best;
+}
+
+// By how much the surface is about to differ, in its plane, from one that runs evenly along an axis.
+double uneven(const HessianBox &box, size_t k) noexcept {
+    const auto along = [&](size_t c) { return (k == 0 ? box.of(c).uu : box.of(c).vv).most(); };
+    return diagonal(along(0), along(1)) / (8 * box.least_weight());
+}
+
 } // namespace
 
 // Blocks end where the homogeneous coordinates may have a kink.
@@ -45,6 +70,7 @@ void CellTree::Builder::set_blocks() {
 int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
     auto &lines = tree_.lines_[k];
     lines.push_back({t, from_left});
+    known_[k].insert(t);
     return static_cast<int32_t>(lines.size() - 1);
 }
 
@@ -236,16 +262,18 @@ void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side s
     }
 }
 
-// Cuts of neighbours at one place are at one number, however they were computed.
-double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const noexcept {
+// Cuts of neighbours at one place are at one number, however they were computed: where they are not on the raster, and rounded to it more
+// than once, at the line that there is.
+double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const {
     const Rectangle block = tree_.block(block_);
     const double place = std::round((t - block.lower[k]) / block.side(k) * raster) / raster;
-    const double result = block.lower[k] + place * block.side(k);
+    const double result =
+        nearest_line(known_[k], block.lower[k] + place * block.side(k), same_line * block.side(k));
     return result > item.part.lower[k] && result < item.part.upper[k] ? result : t;
 }
 
 // Between two pieces if there are several.
-double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const noexcept {
+double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const {
     const double wanted = on_raster(item, k, item.part.lower[k] + share * item.part.side(k));
     if (item.pieces.count(k) == 1) {
         return wanted;
@@ -360,6 +388,16 @@ CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
     return item;
 }
 
+// Where the surface is flat enough and yet no proof is found: where it turns most, else where it runs least evenly, since what comes out over
+// sides is told from second derivatives, else across the longer side.
+size_t CellTree::Builder::axis_of_flat(const Rectangle &part, const HessianBox &box) const noexcept {
+    if (const CellTurn turn = turn_of(box, rule_.least); rule_.angle > 0 && turn.both > rule_.angle / 2) {
+        return turn.along[0] >= turn.along[1] ? 0 : 1;
+    }
+    const double u = uneven(box, 0), v = uneven(box, 1);
+    return std::max(u, v) > rule_.chord ? (u >= v ? 0 : 1) : cut_of_flat(part, box).axis;
+}
+
 void CellTree::Builder::cut(int32_t number) {
     const Cell cell = tree_.cells_[static_cast<size_t>(number)];
     block_ = cell.block;
@@ -367,14 +405,13 @@ void CellTree::Builder::cut(int32_t number) {
     const HessianBox box = tree_.box(number);
     CellBend bend = bend_of(box);
     bend.alone = true; // no help of others was enough, but in the end triangles do without
-    const double u = bend.in_parts(2, 1), v = bend.in_parts(1, 2);
-    const CellTurn turn =
-        rule_.angle > 0 && bend.in_parts(1, 1) <= rule_.chord ? turn_of(box, rule_.least) : CellTurn{};
-    const bool first = turn.both > rule_.angle / 2 ? turn.along[0] >= turn.along[1] : u <= v;
+    const bool bent = !(bend.in_parts(1, 1) <= rule_.chord);
+    const size_t axis =
+        bent ? (bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1) : axis_of_flat(item.part, box);
     const auto node = static_cast<int32_t>(tree_.nodes_.size());
     item.cell = number;
     open_.clear();
-    if (!divide(item, {first ? size_t{0} : size_t{1}, 0.5})) {
+    if (!divide(item, {axis, 0.5})) {
         pool_.clear();
         return;
     }

@@ -6,6 +6,7 @@
 #include "mesh/cells/cell_tree.h"
 
 #include <optional>
+#include <set>
 
 namespace nrb::mesh {
 
@@ -13,7 +14,13 @@ namespace nrb::mesh {
 class CellTree::Builder {
 public:
     Builder(const pieces::PieceGrid &grid, const CellRule &rule, CellTree &tree)
-        : grid_(grid), rule_(rule), tree_(tree), nets_(grid), one_(nets_.values()) {}
+        : grid_(grid), rule_(rule), tree_(tree), nets_(grid), one_(nets_.values()) {
+        for (size_t k = 0; k < 2; ++k) {
+            for (const CellLine &line : tree.lines(k)) {
+                known_[k].insert(known_[k].end(), line.t);
+            }
+        }
+    }
 
     // Returns the share of the domain in which cells are as small as they are to be.
     [[nodiscard]] double build();
@@ -43,6 +50,7 @@ private:
         return rule_.angle > 0 && turn_of(box, rule_.least).both > rule_.angle;
     }
     [[nodiscard]] Cut cut_of_flat(const Rectangle &part, const HessianBox &box) const noexcept;
+    [[nodiscard]] size_t axis_of_flat(const Rectangle &part, const HessianBox &box) const noexcept;
     [[nodiscard]] Side side_of(const Item &item) const;
     void make_nets(Item &item);
     struct Found {
@@ -55,8 +63,8 @@ private:
     void keep_box(int32_t cell, const Rectangle &part, const HessianBox &box);
     void add_cell(const Item &item, const HessianBox &box, Side side);
     bool divide(Item &item, Cut cut);
-    [[nodiscard]] double on_raster(const Item &item, size_t k, double t) const noexcept;
-    [[nodiscard]] double place_to_cut(const Item &item, size_t k, double share) const noexcept;
+    [[nodiscard]] double on_raster(const Item &item, size_t k, double t) const;
+    [[nodiscard]] double place_to_cut(const Item &item, size_t k, double share) const;
     void divide_nets(const Item &item, size_t k, double at, Item &low, Item &high);
     [[nodiscard]] Item item_of(const Cell &cell);
 
@@ -67,6 +75,7 @@ private:
     std::vector<double> one_;
     std::vector<double> pool_;
     std::vector<Item> open_;
+    std::array<std::set<double>, 2> known_; // where lines are
     int32_t block_ = 0;
     double left_ = 0; // area of what is not done
 };

@@ -28,6 +28,9 @@ struct CellRule {
     [[nodiscard]] bool wants_steps() const noexcept { return side || longest > 0 || angle > 0; }
 };
 
+// Lines that are nearer to each other than this share of a block are one: no cell is as small.
+inline constexpr double same_line = 0x1p-36;
+
 // A line u = t or v = t along which cells end. Where the surface may have a kink or a jump, cells to its left and to its right have
 // lines of their own, the left one first.
 struct CellLine {

@@ -39,6 +39,21 @@ int32_t CellGrid::in_block(int32_t place, const Rectangle &block) const noexcept
     return table_->find(lines[0], lines[1]);
 }
 
+std::array<double, 2> CellGrid::at_lines(std::array<double, 2> place) const noexcept {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &all = tree_.lines(k);
+        const double room = same_line * (all.back().t - all.front().t), t = place[k];
+        auto at = std::ranges::lower_bound(all, t - room, {}, &CellLine::t);
+        for (double distance = room; at != all.end() && at->t <= t + room; ++at) {
+            if (std::abs(at->t - t) < distance) {
+                distance = std::abs(at->t - t);
+                place[k] = at->t;
+            }
+        }
+    }
+    return place;
+}
+
 int32_t CellGrid::pole_at(const std::array<double, 2> &param) const {
     for (size_t k = 0; k < 2; ++k) {
         for (const size_t end : {size_t{0}, size_t{1}}) {

@@ -33,6 +33,8 @@ public:
     // Whether a seam, a line at which the surface may have a kink, or a side of the domain ends there at a pole or at a seam.
     [[nodiscard]] bool ends_line(int32_t place) const noexcept;
 
+    // A place, on the lines that are no farther from it than rounding.
+    [[nodiscard]] std::array<double, 2> at_lines(std::array<double, 2> place) const noexcept;
     // How far places are from each other, of the domain.
     [[nodiscard]] double share(const std::array<double, 2> &a, const std::array<double, 2> &b) const noexcept;
 

@@ -99,8 +99,12 @@ private:
     void leave_border();
     void cut(const std::vector<int32_t> &cells);
     void add_place(const std::array<double, 2> &place, std::vector<std::array<double, 2>> &places) const;
-    void divide_in_strip(size_t triangle, std::vector<std::array<double, 2>> &places);
+    [[nodiscard]] double divide_in_strip(size_t triangle, std::vector<std::array<double, 2>> &places);
     bool divide_cells(std::vector<int32_t> cells);
+    void divide_beside(std::vector<std::pair<size_t, double>> front,
+                       std::vector<std::array<double, 2>> &places);
+    [[nodiscard]] std::vector<std::pair<size_t, double>> beside(const std::vector<double> &sizes,
+                                                                const std::vector<bool> &done) const;
     [[nodiscard]] bool improve();
     [[nodiscard]] bool keep_least_angle();
     void refine_angles();

@@ -19,6 +19,10 @@ constexpr double most_centred = 2;
 constexpr int most_changes = 12;
 // Of the domain: what is no longer is not divided where that helps, and where nothing is known of it.
 constexpr double least_share = 0x1p-26, least_unknown = 0x1p-12;
+// Rounds after which what is beside triangles of the strip that are divided is divided too, and up to how far.
+constexpr int slow_rounds = 8, most_rings = 64;
+// Of sizes of triangles that are about as large.
+constexpr double least_size = 0.9, most_size = 1.5;
 
 } // namespace
 
@@ -225,21 +229,68 @@ void DomainMesher::add_place(const std::array<double, 2> &place,
     }
 }
 
-// A new place in it, or parts of the border.
-void DomainMesher::divide_in_strip(size_t triangle, std::vector<std::array<double, 2>> &places) {
+// A new place in it, or parts of the border. Returns the size of what has a new place; 0: nothing has.
+double DomainMesher::divide_in_strip(size_t triangle, std::vector<std::array<double, 2>> &places) {
     const Split split = split_of(triangles_[triangle]);
     if (is_tiny(triangle, split)) {
-        return;
+        return 0;
     }
     if (split.border < 0 && !extra_.contains(split.place)) {
         add_place(split.place, places);
-    } else if (is_large(triangle) || changes_ < most_changes) { // also where a place is on the border
+        return split.size;
+    }
+    if (is_large(triangle) || changes_ < most_changes) { // also where a place is on the border
         for (const int32_t segment : triangles_[triangle].border) {
             if (segment >= 0 && (split.border < 0 || segment == split.border)) {
                 add_weak(segment, parts_for(triangle));
             }
         }
     }
+    return 0;
+}
+
+// A new place may leave the triangles beside it over the distance, so that along a strip each round would come no farther than the next
+// triangle. So those beside them that are about as large are divided as well, in twice as many rings around them each round. Where
+// triangles become smaller from round to round there are none.
+void DomainMesher::divide_beside(std::vector<std::pair<size_t, double>> front,
+                                 std::vector<std::array<double, 2>> &places) {
+    std::vector<double> sizes(static_cast<size_t>(sites_.point_count())); // of those divided at each point
+    std::vector<bool> done(triangles_.size());
+    const int rings = round_ - slow_rounds < 6 ? 1 << (round_ - slow_rounds) : most_rings;
+    for (int ring = 0; ring < rings && !front.empty(); ++ring) {
+        for (const auto &[i, size] : front) {
+            done[i] = true;
+            for (const int32_t point : points_of(triangles_[i])) {
+                double &own = sizes[static_cast<size_t>(point)];
+                own = std::max(own, size);
+            }
+        }
+        front = beside(sizes, done);
+        for (const auto &[i, size] : front) {
+            add_place(split_of(triangles_[i]).place, places);
+        }
+    }
+}
+
+// Triangles of the strip with a point of a size that is about theirs.
+std::vector<std::pair<size_t, double>> DomainMesher::beside(const std::vector<double> &sizes,
+                                                            const std::vector<bool> &done) const {
+    std::vector<std::pair<size_t, double>> result;
+    for (size_t i = triangles_.strip(); i < triangles_.size(); ++i) {
+        double size = 0;
+        for (const int32_t point : points_of(triangles_[i])) {
+            size = std::max(size, sizes[static_cast<size_t>(point)]);
+        }
+        if (size == 0 || done[i]) {
+            continue;
+        }
+        const Split split = split_of(triangles_[i]);
+        if (split.border < 0 && split.size >= least_size * size && split.size <= most_size * size &&
+            !extra_.contains(split.place) && !is_tiny(i, split)) {
+            result.emplace_back(i, size);
+        }
+    }
+    return result;
 }
 
 // Returns whether there was anything to divide that can be.
@@ -267,21 +318,27 @@ bool DomainMesher::divide_cells(std::vector<int32_t> cells) {
 bool DomainMesher::improve() {
     std::vector<int32_t> cells;
     std::vector<std::array<double, 2>> places;
+    std::vector<std::pair<size_t, double>> divided;
     for (size_t i = 0; i < triangles_.size(); ++i) {
         is_off_ = is_off_ || (triangles_.has(i) && is_large(i) && corners_off(i) > chord_);
         if (!triangles_.has(i) || !is_to_divide(i)) {
             continue;
         }
         if (const int32_t cell = triangles_[i].cell; cell < 0) {
-            divide_in_strip(i, places);
+            if (const double size = divide_in_strip(i, places); size > 0) {
+                divided.emplace_back(i, size);
+            }
         } else if (distances(i).from_shape < infinity && can_cut(cell)) {
             cells.push_back(cell); // without any bound they are as small as is sensible
         }
     }
+    if (round_ >= slow_rounds && !divided.empty()) {
+        divide_beside(std::move(divided), places);
+    }
     const size_t known = extra_.size();
     extra_.insert(places.begin(), places.end());
-    const bool divided = divide_cells(std::move(cells));
-    return divided || extra_.size() > known;
+    const bool more = divide_cells(std::move(cells));
+    return more || extra_.size() > known;
 }
 
 } // namespace nrb::mesh

@@ -12,7 +12,7 @@ StripPlaces::StripPlaces(const MeshDomain &domain, const SegmentIndex &index, co
     look_at_cells();
     add_places();
     for (const auto &param : extra) {
-        add_point(param, -1);
+        add_point(cells.at_lines(param), -1); // lines may have come since
     }
     add_walls();
 }

@@ -29,6 +29,7 @@ public:
     // The strip is behind all others: what is added from here on is of it, until it is dropped.
     void begin_strip() noexcept { strip_ = sites_.size(); }
     void drop_strip();
+    [[nodiscard]] size_t strip() const noexcept { return strip_; }
 
     // Of all that are new, and of those beside them. points: how many there are; enough: what is not more is not looked at more closely.
     void prove(TriangleProof &proof, size_t points, double enough);

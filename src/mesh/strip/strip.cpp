@@ -31,11 +31,67 @@ std::vector<GridPoint> on_grid(const Rectangle &part, const std::array<double, 2
     return result;
 }
 
+// Walls along one of the axes of the grid that no further point may come on.
+class FixedWalls {
+public:
+    FixedWalls(const std::vector<GridPoint> &points, const std::vector<Wall> &walls) {
+        for (const Wall &wall : walls) {
+            const GridPoint &a = points[static_cast<size_t>(wall.from)],
+                            &b = points[static_cast<size_t>(wall.to)];
+            if (wall.border >= 0 || wall.divisible || a == b) {
+                continue;
+            }
+            if (a.u == b.u) {
+                walls_[0].push_back({a.u, std::min(a.v, b.v), std::max(a.v, b.v), wall.from});
+            } else if (a.v == b.v) {
+                walls_[1].push_back({a.v, std::min(a.u, b.u), std::max(a.u, b.u), wall.from});
+            }
+        }
+        std::ranges::sort(walls_[0]);
+        std::ranges::sort(walls_[1]);
+    }
+
+    // An end of the wall that a place is on, between its ends; -1: none.
+    [[nodiscard]] int32_t end_at(const GridPoint &place) const {
+        const int32_t end = end_among(walls_[0], place.u, place.v);
+        return end >= 0 ? end : end_among(walls_[1], place.v, place.u);
+    }
+
+private:
+    using Along = std::array<int32_t, 4>; // the line, from where to where, and the point at an end
+    static int32_t end_among(const std::vector<Along> &walls, int32_t line, int32_t at) {
+        const auto next = std::ranges::lower_bound(walls, Along{line, at, 0, 0});
+        if (next == walls.begin()) {
+            return -1;
+        }
+        const auto &[own, lower, upper, end] = *std::prev(next);
+        return own == line && lower < at && at < upper ? end : -1;
+    }
+
+    std::array<std::vector<Along>, 2> walls_;
+};
+
+// What is beyond such a wall is not divided by a point on it: one that the grid puts there is that at an end of the wall.
+std::vector<GridPoint> beside_walls(std::vector<GridPoint> points, const std::vector<Wall> &walls) {
+    std::vector<bool> free(points.size(), true);
+    for (const Wall &wall : walls) {
+        free[static_cast<size_t>(wall.from)] = free[static_cast<size_t>(wall.to)] = false;
+    }
+    const FixedWalls fixed(points, walls);
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (const int32_t end = free[i] ? fixed.end_at(points[i]) : -1; end >= 0) {
+            points[i] = points[static_cast<size_t>(end)];
+        }
+    }
+    return points;
+}
+
 } // namespace
 
 Strip::Strip(const Rectangle &part, const std::array<double, 2> &lengths,
              const std::vector<std::array<double, 2>> &points, const std::vector<Wall> &walls)
-    : triangulation_(on_grid(part, lengths, points)), first_(triangulation_.vertices().size(), -1) {
+    : triangulation_(beside_walls(on_grid(part, lengths, points), walls)),
+      first_(triangulation_.vertices().size(), -1) {
     for (size_t i = points.size(); i-- > 0;) {
         first_[static_cast<size_t>(triangulation_.vertex_of(i))] = static_cast<int32_t>(i);
     }

@@ -2,12 +2,14 @@
 #include "mesh/volume/sides.h"
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "eval/curve_point.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/parts/iso.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::mesh {
 
@@ -56,6 +58,38 @@ bool is_constant(const std::vector<double> &points, const Spline &side, int k) {
     return true;
 }
 
+// Whether weights are products of numbers of the layers along an axis and others, but for rounding: these do not count.
+bool are_in_proportion(const Spline &side, int k) {
+    const AxisView view = axis_view(side, k, 1);
+    const auto weight = [&](int64_t o, int64_t i, int64_t x) {
+        return side.weight((o * view.count + i) * view.inner + x);
+    };
+    for (int64_t o = 0; o < view.outer; ++o) {
+        for (int64_t i = 1; i < view.count; ++i) {
+            for (int64_t x = 0; x < view.inner; ++x) {
+                const double a = weight(o, i, x) * weight(0, 0, 0), b = weight(o, 0, x) * weight(0, i, 0);
+                if (!(std::abs(a - b) <= 16 * eps * std::abs(b))) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+// Whether a side is the same at all places of an axis: of a single point whatever the weights.
+bool is_along(const Spline &side, const std::vector<double> &points, int k) {
+    if (!is_constant(points, side, k)) {
+        return false;
+    }
+    for (int l = 0; l < side.axes(); ++l) {
+        if (l != k && !is_constant(points, side, l)) {
+            return are_in_proportion(side, k);
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 bool closes(const Spline &spline, int k) {
@@ -81,7 +115,7 @@ Collapses collapses_of(const Spline &spline) {
             const std::vector<double> points = refine::cartesian_points(*side);
             for (int l = 0; l < side->axes(); ++l) {
                 result[static_cast<size_t>(k)][upper ? 1 : 0][static_cast<size_t>(l < k ? l : l + 1)] =
-                    is_constant(points, *side, l);
+                    is_along(*side, points, l);
             }
         }
     }

@@ -16,7 +16,7 @@ std::vector<bool> jumps_of(const KnotVector &axis);
 // Whether the end of an axis is where it starts: it is periodic, or both ends have the same control points and weights bit for bit.
 bool closes(const Spline &spline, int k);
 
-// Sides of a volume, or of a surface, whose control points are the same bit for bit along an axis.
+// Sides of a volume, or of a surface, whose control points are the same bit for bit along an axis, and whose weights do not make them differ.
 Collapses collapses_of(const Spline &spline);
 
 } // namespace nrb::mesh
