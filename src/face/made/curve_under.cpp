@@ -242,12 +242,13 @@ std::vector<double> rough_lines(const Spline &surface, const Covering &covering,
     const auto copy_of = [&](double x) {
         return closed ? std::floor((x - covering.domain(k).lower) / covering.period(k)) : 0;
     };
-    if (copy_of(high) - copy_of(low) > most_copies) {
+    const double first = copy_of(low), more = copy_of(high) - first;
+    if (!(more <= most_copies)) {
         return {};
     }
-    for (double copy = copy_of(low); copy <= copy_of(high); ++copy) {
+    for (int copy = 0; copy <= static_cast<int>(more); ++copy) {
         for (const double knot : knots) {
-            const double line = knot + copy * (closed ? covering.period(k) : 0);
+            const double line = knot + (first + copy) * (closed ? covering.period(k) : 0);
             if (low < line && line < high) {
                 lines.push_back(line);
             }
