@@ -26,16 +26,13 @@ public:
             return {};
         }
         for (const Members &members : groups_on_both()) {
-            Ranges all = clusters_[members.front()].ranges;
-            for (const size_t member : members) {
-                enclose(clusters_[member].ranges, all);
-            }
-            groups_.push_back(all);
+            groups_.push_back(together(members));
         }
-        std::ranges::sort(groups_, std::ranges::greater(), size_of);
+        std::ranges::sort(groups_, std::ranges::greater(),
+                          [](const Part &part) { return size_of(part.ranges); });
         absorb();
         std::vector<CrossGroup> result;
-        for (Ranges &group : groups_) {
+        for (auto &[group, room] : groups_) {
             if (holds_nothing(group)) {
                 continue;
             }
@@ -50,6 +47,12 @@ public:
     }
 
 private:
+    // What hangs together, and how much room there is around it: twice what its largest member is wide.
+    struct Part {
+        Ranges ranges;
+        std::array<double, 4> room;
+    };
+
     // Parts of one surface may be large where the other one bends: what is together there is told apart on the other one.
     [[nodiscard]] std::vector<Members> groups_on_both() const {
         Members all(clusters_.size());
@@ -76,6 +79,18 @@ private:
             Members &members = groups.emplace_back();
             std::ranges::transform(group, std::back_inserter(members), [&](size_t i) { return of[i]; });
         }
+    }
+
+    [[nodiscard]] Part together(const Members &members) const {
+        Part all{clusters_[members.front()].ranges, {}};
+        for (const size_t member : members) {
+            const Ranges &own = clusters_[member].ranges;
+            enclose(own, all.ranges);
+            for (size_t i = 0; i < 4; ++i) {
+                all.room[i] = std::max(all.room[i], 2 * (own[i].upper - own[i].lower));
+            }
+        }
+        return all;
     }
 
     // Arcs that were left open along borders of pieces may all be beyond them. With what sides of boxes are shifted by.
@@ -136,27 +151,52 @@ private:
         }
     }
 
-    // Larger ones come first.
+    // Larger ones come first. What is no touch takes others from where it was, or those in a row would all be one.
     void absorb() {
-        constexpr size_t most = 256; // of what is looked at in all pairs
-        for (size_t i = 0; i < std::min(groups_.size(), most); ++i) {
-            for (size_t j = i + 1; j < std::min(groups_.size(), most); ++j) {
-                count_work(20);
-                if (are_near(groups_[i], groups_[j])) {
-                    enclose(groups_[j], groups_[i]);
-                    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(j));
-                    j = i;
-                }
+        std::vector<Ranges> ranges;
+        for (const Part &group : groups_) {
+            ranges.push_back(group.ranges);
+        }
+        const RangesTree tree(*surfaces_[0], *surfaces_[1], ranges);
+        std::vector<bool> taken(groups_.size(), false);
+        std::vector<Part> kept;
+        for (size_t i = 0; i < groups_.size(); ++i) {
+            if (!taken[i]) {
+                taken[i] = true;
+                kept.push_back(with_near(groups_[i], tree, taken));
             }
         }
+        groups_ = std::move(kept);
     }
-    [[nodiscard]] bool are_near(const Ranges &large, const Ranges &small) const noexcept {
+    // Touches are no part of what is none.
+    [[nodiscard]] Part with_near(const Part &group, const RangesTree &tree, std::vector<bool> &taken) const {
+        const bool touch = touch_.is_touch(group.ranges);
+        Part all = group;
+        for (bool any = true; any;) {
+            any = false;
+            const Part near = touch ? all : group;
+            tree.visit(widened(near.ranges, near.room), [&](size_t i) {
+                const Ranges &own = groups_[i].ranges;
+                if (!taken[i] && are_near(near, own) && (touch || !touch_.is_touch(own))) {
+                    taken[i] = any = true;
+                    enclose(own, all.ranges);
+                }
+            });
+        }
+        return all;
+    }
+    static Ranges widened(Ranges ranges, const std::array<double, 4> &room) noexcept {
+        for (size_t k = 0; k < 4; ++k) {
+            ranges[k] = {ranges[k].lower - room[k], ranges[k].upper + room[k]};
+        }
+        return ranges;
+    }
+    [[nodiscard]] bool are_near(const Part &large, const Ranges &small) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
-            const double room = 2 * (large[i].upper - large[i].lower);
             bool any = false;
             for (const double shift : {0.0, period(i), -period(i)}) {
-                any = any || (small[i].lower + shift <= large[i].upper + room &&
-                              small[i].upper + shift >= large[i].lower - room);
+                any = any || (small[i].lower + shift <= large.ranges[i].upper + large.room[i] &&
+                              small[i].upper + shift >= large.ranges[i].lower - large.room[i]);
             }
             if (!any) {
                 return false;
@@ -168,10 +208,33 @@ private:
     std::array<const CrossSurface *, 2> surfaces_;
     const TouchTest &touch_;
     const std::vector<CrossCluster> &clusters_;
-    std::vector<Ranges> groups_;
+    std::vector<Part> groups_;
 };
 
 } // namespace
+
+RangesTree::RangesTree(const CrossSurface &a, const CrossSurface &b, const std::vector<Ranges> &ranges) {
+    for (size_t i = 0; i < 3; ++i) {
+        const SurfaceBorders &borders = (i < 2 ? a : b).borders;
+        turns_[i] = borders.wraps(i % 2) ? 1 : 0;
+        periods_[i] = borders.wraps(i % 2) ? borders.period(i % 2) : 0;
+    }
+    std::vector<Box3> boxes;
+    for (const Ranges &own : ranges) {
+        boxes.push_back(box_of(own, {}));
+    }
+    count_work(100 * std::ssize(boxes));
+    tree_ = BoxTree(boxes);
+}
+
+Box3 RangesTree::box_of(const Ranges &ranges, const std::array<int, 3> &turns) const noexcept {
+    Box3 box;
+    for (size_t i = 0; i < 3; ++i) {
+        box.lower[i] = ranges[i].lower + turns[i] * periods_[i];
+        box.upper[i] = ranges[i].upper + turns[i] * periods_[i];
+    }
+    return box;
+}
 
 std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const TouchTest &touch,
                                      const std::vector<CrossCluster> &clusters) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace nrb::intersect {
@@ -13,37 +14,14 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
-constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of each other that are halved
-constexpr size_t most_pairs = 1 << 16;
+// Of pairs of one size, as long as several rounds of them can be looked at; of one pair of pieces, if there are others.
+constexpr int64_t work_of_rounds = 20000;
+constexpr size_t least_share = 64;
 // The same of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
 constexpr size_t most_side_by_side = 2048;
 constexpr double small_side_by_side = 0x1p-12; // area, in parts of pieces
-constexpr size_t most_alike = 512; // pairs of one size of which one lies on the other as far as can be seen
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
 constexpr double thick = 32;
-
-// How far the middle of a part is from another one, near its foot there; infinite if that is not in the wide part.
-double distance_of_middle(const CrossCell &from, const CrossCell &to) noexcept {
-    constexpr int most_steps = 4;
-    std::array<double, 2> at{0.5, 0.5};
-    for (int i = 0;; ++i) {
-        count_work(300);
-        const CrossPiece::Point point = to.piece().evaluate(to.in_piece(at.data()));
-        const Vector3 away = from.centre() - point.at, u = to.length(0) * point.slope[0],
-                      v = to.length(1) * point.slope[1];
-        if (i == most_steps) {
-            return length(away);
-        }
-        const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
-        at[0] += (dot(away, u) * vv - dot(away, v) * uv) / determinant;
-        at[1] += (dot(away, v) * uu - dot(away, u) * uv) / determinant;
-        for (const double x : at) {
-            if (!(x >= -widening && x <= 1 + widening)) {
-                return infinity;
-            }
-        }
-    }
-}
 
 // Whether the cosine of the angle between the normals in the middles is not less.
 bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) noexcept {
@@ -78,7 +56,8 @@ bool are_side_by_side(const CrossCell &a, const CrossCell &b) noexcept {
 CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                          const SurfaceBorders &borders_b)
     : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a, side_shifts[0]),
-      b_(b, frame_, borders_b, side_shifts[1]), solver_(a_.ground, b_.ground), contact_(solver_) {}
+      b_(b, frame_, borders_b, side_shifts[1]), crowds_(a_.ground, b_.ground), solver_(a_.ground, b_.ground),
+      contact_(solver_) {}
 
 CrossSearch::CrossSearch(const Spline &g, const SurfaceBorders &borders)
     : CrossSearch(g, g, borders, borders) {
@@ -90,15 +69,13 @@ CrossParts CrossSearch::run(double tolerance) {
     if (self_ && self_->is_one_sheet()) {
         return {};
     }
+    crowds_.allow(work_left());
     find_pieces();
     SearchSteps steps;
     while (!pairs_.empty()) {
+        give_up_crowds();
         for (const Pair &pair : pairs_) {
-            if (work_ended() || next_.size() + flat_.size() + 4 * side_by_side_.size() > most_pairs) {
-                add(pair);
-            } else {
-                look(pair);
-            }
+            work_ended() ? add(pair) : look(pair);
             steps.next(next_.size());
         }
         settle_crowds();
@@ -107,14 +84,49 @@ CrossParts CrossSearch::run(double tolerance) {
     return std::move(found_);
 }
 
-// Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other.
+// What grows in one place must not take the work of all others: where it ends soon, pairs of pieces that have far more than others,
+// and more than their share of what is left, are left open.
+void CrossSearch::give_up_crowds() {
+    const auto most = static_cast<size_t>(work_left() / work_of_rounds);
+    if (pairs_.size() <= most) {
+        return;
+    }
+    std::vector<size_t> counts(crowds_.size());
+    for (const Pair &pair : pairs_) {
+        ++counts[pair.of];
+    }
+    std::vector<size_t> used;
+    std::ranges::copy_if(counts, std::back_inserter(used), [](size_t count) { return count > 0; });
+    const auto middle = used.begin() + std::ssize(used) / 2;
+    std::ranges::nth_element(used, middle);
+    const size_t share = std::max({most / used.size(), 8 * *middle, least_share});
+    std::erase_if(pairs_, [&](const Pair &pair) {
+        const bool crowd = counts[pair.of] > share;
+        if (crowd) {
+            add(pair);
+        }
+        return crowd;
+    });
+}
+
+// Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other. What is
+// hardly thicker than the tolerance may lie on a surface that it touches.
 void CrossSearch::settle_crowds() {
-    crowded_ = crowded_ || flat_.size() > most_flat || alike_ > most_alike;
-    for (const auto &[pair, first] : flat_) {
-        crowded_ ? add(pair) : halve(pair, first);
+    constexpr double thick_to_lie = 32;
+    for (const FlatPair &flat : flat_) {
+        crowds_.count(flat.pair.of, flat.thickness > tolerance_);
+    }
+    for (const FlatPair &flat : flat_) {
+        if (crowds_.are_many() && flat.thickness > thick_to_lie * tolerance_ &&
+            crowds_.is_asked_for(flat.pair.of)) {
+            crowds_.tell(flat.pair.of, lies_on(flat.pair));
+        }
+    }
+    crowds_.settle();
+    for (const auto &[pair, first, thickness] : flat_) {
+        crowds_.is_crowded(pair.of) ? add(pair) : halve(pair, first);
     }
     flat_.clear();
-    alike_ = 0;
     settle_side_by_side();
 }
 
@@ -152,7 +164,8 @@ void CrossSearch::look_at(PairCell &a, PairCell &b) {
         }
     }
     if (is_positive(a) && is_positive(b)) {
-        pairs_.push_back({&a_.root(a), &b_.root(b), false});
+        CrossCell &root_a = a_.root(a), &root_b = b_.root(b);
+        pairs_.push_back({&root_a, &root_b, crowds_.add(root_a.piece(), root_b.piece())});
     } else {
         divide(a, b);
     }
@@ -194,7 +207,7 @@ void CrossSearch::look(Pair pair) {
             count_work(work_of_a_kept_part);
             found_.arcs.push_back(finder_.arc());
         } else if (verdict == ArcFinder::Verdict::open) {
-            halve({pair.a, pair.b, true, pair.no_contact}, box_.chart.first_bends_more());
+            halve({pair.a, pair.b, pair.of, true, pair.no_contact}, box_.chart.first_bends_more());
         }
         return;
     }
@@ -254,18 +267,16 @@ double CrossSearch::thickness(const Pair &pair) const {
     return least;
 }
 
-// Whether the smaller part lies on the larger one, as far as its middle tells; where many do, whether it may.
-bool CrossSearch::are_along(const Pair &pair) {
-    if (!are_parallel(*pair.a, *pair.b, crowded_ ? 0.8 : 0.999)) {
-        return false;
-    }
-    if (crowded_) {
-        return true;
-    }
+// Whether the smaller part lies on the larger one, as far as its middle tells.
+bool CrossSearch::are_along(const Pair &pair) const {
     const bool first = pair.a->size() <= pair.b->size();
-    const bool alike = distance_of_middle(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a) <= tolerance_;
-    alike_ += alike ? 1 : 0;
-    return alike;
+    return are_parallel(*pair.a, *pair.b, 0.999) &&
+           distance_of_middle(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a) <= tolerance_;
+}
+
+bool CrossSearch::lies_on(const Pair &pair) const {
+    const bool first = pair.a->size() <= pair.b->size();
+    return intersect::lies_on(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a, tolerance_);
 }
 
 bool CrossSearch::look_for_contact(Pair &pair) {
@@ -299,8 +310,13 @@ void CrossSearch::look_at_flat(Pair pair) {
         if (!pair.graph && !are_side_by_side(*pair.a, *pair.b)) {
             add(pair);
         }
-    } else if (thickness <= tolerance_ || are_along(pair)) {
-        flat_.push_back({pair, first});
+        return;
+    }
+    const bool thin = thickness <= tolerance_, crowded = crowds_.is_crowded(pair.of);
+    if (crowded && (thin || are_parallel(*pair.a, *pair.b, 0.8))) {
+        add(pair);
+    } else if (thin || are_along(pair)) {
+        flat_.push_back({pair, first, thickness});
     } else {
         halve(pair, first);
     }
@@ -314,8 +330,8 @@ void CrossSearch::halve(const Pair &pair, bool first) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
         if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
             for (size_t end = 0; end < 2; ++end) {
-                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph,
-                                 pair.no_contact});
+                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.of,
+                                 pair.graph, pair.no_contact});
             }
             return;
         }
@@ -343,7 +359,7 @@ void CrossSearch::halve_both(const Pair &pair) {
     for (CrossCell *a : of_a) {
         for (CrossCell *b : of_b) {
             if (a != nullptr && b != nullptr) {
-                next_.push_back({a, b});
+                next_.push_back({a, b, pair.of});
             }
         }
     }
