@@ -108,6 +108,9 @@ ArcFinder::Verdict ArcFinder::look_along_borders() {
     if (verdict != Verdict::arc) {
         return verdict;
     }
+    if (is_beyond()) {
+        return Verdict::nothing;
+    }
     for (size_t i = 0; i < 4; ++i) {
         for (size_t side = 0; side < 2; ++side) {
             if (sides_[i][side] != box_->side(i, side) && !set_along(i, side)) {
@@ -116,6 +119,18 @@ ArcFinder::Verdict ArcFinder::look_along_borders() {
         }
     }
     return goes_on() ? Verdict::arc : Verdict::open;
+}
+
+// Whether all of the arc is beyond a side: where surfaces have kinks, neighbours do not have it either.
+bool ArcFinder::is_beyond() const {
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+            if (sides_[i][side] != box_->side(i, side) && graph_.lies_beyond(i, side, box_->side(i, side))) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 // Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little.
