@@ -79,9 +79,9 @@ public:
     void forget() noexcept { near_.reset(); }
     // Whether all of the arc is beyond a place of a coordinate, above it for side 1, below it for side 0, by more than rounding.
     [[nodiscard]] bool lies_beyond(size_t coordinate, size_t side, double place) const {
-        constexpr int most_halvings = 5;
+        int zeros_left = 48;
         for (size_t i = 0; i + 1 < zeros_.size(); ++i) {
-            if (!lies_beyond(coordinate, side, place, zeros_[i], zeros_[i + 1], most_halvings)) {
+            if (!lies_beyond(coordinate, side, place, zeros_[i], zeros_[i + 1], zeros_left)) {
                 return false;
             }
         }
@@ -281,7 +281,7 @@ private:
     }
     // With more zeros where it takes them.
     [[nodiscard]] bool lies_beyond(size_t coordinate, size_t side, double place, const At &first,
-                                   const At &last, int halvings) const {
+                                   const At &last, int &zeros_left) const {
         const double room = 2 * box_->chart.noise() + 16 * eps;
         const auto beyond = [&](double x) { return (side == 1 ? x - place : place - x) > room; };
         const Interval range = between(first, last, coordinate);
@@ -292,10 +292,10 @@ private:
         for (size_t i = 0; i < N; ++i) {
             middle[i] = std::midpoint(first[i], last[i]);
         }
-        return halvings > 0 && beyond(first[coordinate]) && beyond(last[coordinate]) &&
+        return --zeros_left >= 0 && beyond(first[coordinate]) && beyond(last[coordinate]) &&
                box_->solve(box_->chart.axis(), middle) &&
-               lies_beyond(coordinate, side, place, first, middle, halvings - 1) &&
-               lies_beyond(coordinate, side, place, middle, last, halvings - 1);
+               lies_beyond(coordinate, side, place, first, middle, zeros_left) &&
+               lies_beyond(coordinate, side, place, middle, last, zeros_left);
     }
 
     // Both ends, and inside_ or what divides the way between them.

@@ -101,15 +101,21 @@ bool ArcFinder::move_sides() {
     return any;
 }
 
-// Polynomials of a piece are those of the surface as far as borders, so that nothing is said of what is between there and zeros.
+// Polynomials of a piece are those of the surface as far as borders, so that nothing is said of what is between there and zeros: an arc
+// that is beyond a border all along is none.
 ArcFinder::Verdict ArcFinder::look_along_borders() {
     constexpr int parts = 8;
     const Verdict verdict = look_between_sides(parts);
     if (verdict != Verdict::arc) {
         return verdict;
     }
-    if (is_beyond()) {
-        return Verdict::nothing;
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+            const double place = box_->side(i, side);
+            if (sides_[i][side] != place && graph_.lies_beyond(i, side, place)) {
+                return Verdict::nothing;
+            }
+        }
     }
     for (size_t i = 0; i < 4; ++i) {
         for (size_t side = 0; side < 2; ++side) {
@@ -121,31 +127,20 @@ ArcFinder::Verdict ArcFinder::look_along_borders() {
     return goes_on() ? Verdict::arc : Verdict::open;
 }
 
-// Whether all of the arc is beyond a side: where surfaces have kinks, neighbours do not have it either.
-bool ArcFinder::is_beyond() const {
-    for (size_t i = 0; i < 4; ++i) {
-        for (size_t side = 0; side < 2; ++side) {
-            if (sides_[i][side] != box_->side(i, side) && graph_.lies_beyond(i, side, box_->side(i, side))) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little.
+// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little, or what is
+// inside is rounding.
 bool ArcFinder::set_along(size_t coordinate, size_t side) {
     constexpr double little = 0x1p-26, least = 4 * shift_of_sides;
     const CrossCell &cell = box_->cell(coordinate);
     double most = -infinity, fewest = infinity;
     for (const CrossPlace &z : graph_.zeros()) {
-        const double beyond = (side == 1 ? z[coordinate] - 1 : -z[coordinate]) * cell.length(coordinate % 2);
-        most = std::max(most, beyond);
+        const double beyond = side == 1 ? z[coordinate] - 1 : -z[coordinate];
+        most = std::max(most, beyond * cell.length(coordinate % 2));
         fewest = std::min(fewest, beyond);
     }
     arc_.along = true;
     arc_.far = std::max(arc_.far, most);
-    return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest >= -little;
+    return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest * cell.length(coordinate % 2) >= -little;
 }
 
 // Whether the chart is one of the surface beyond the borders, too, so that neighbours have the same arc.

@@ -60,7 +60,6 @@ private:
     Verdict look_between_sides(int parts);
     Verdict look_along_borders();
     bool move_sides();
-    [[nodiscard]] bool is_beyond() const;
     bool set_along(size_t coordinate, size_t side);
     [[nodiscard]] bool goes_on() const;
     void move_to_border(CrossEnd &end) const;

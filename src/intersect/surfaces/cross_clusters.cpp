@@ -86,8 +86,9 @@ private:
         for (const size_t member : members) {
             const Ranges &own = clusters_[member].ranges;
             enclose(own, all.ranges);
+            const std::array<double, 4> room = room_of(own);
             for (size_t i = 0; i < 4; ++i) {
-                all.room[i] = std::max(all.room[i], 2 * (own[i].upper - own[i].lower));
+                all.room[i] = std::max(all.room[i], room[i]);
             }
         }
         return all;
@@ -168,13 +169,13 @@ private:
         }
         groups_ = std::move(kept);
     }
-    // Touches are no part of what is none.
+    // Touches are no part of what is none; what is near one is a part of it.
     [[nodiscard]] Part with_near(const Part &group, const RangesTree &tree, std::vector<bool> &taken) const {
         const bool touch = touch_.is_touch(group.ranges);
         Part all = group;
         for (bool any = true; any;) {
             any = false;
-            const Part near = touch ? all : group;
+            const Part near = touch ? Part{all.ranges, room_of(all.ranges)} : group;
             tree.visit(widened(near.ranges, near.room), [&](size_t i) {
                 const Ranges &own = groups_[i].ranges;
                 if (!taken[i] && are_near(near, own) && (touch || !touch_.is_touch(own))) {
@@ -184,6 +185,13 @@ private:
             });
         }
         return all;
+    }
+    static std::array<double, 4> room_of(const Ranges &ranges) noexcept {
+        std::array<double, 4> room{};
+        for (size_t i = 0; i < 4; ++i) {
+            room[i] = 2 * (ranges[i].upper - ranges[i].lower);
+        }
+        return room;
     }
     static Ranges widened(Ranges ranges, const std::array<double, 4> &room) noexcept {
         for (size_t k = 0; k < 4; ++k) {

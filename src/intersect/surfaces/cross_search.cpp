@@ -14,10 +14,10 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
-// Of pairs of one size, as long as several rounds of them can be looked at; of one pair of pieces, if there are others.
-constexpr int64_t work_of_rounds = 20000;
-constexpr size_t least_share = 64;
-// The same of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
+// What is left of the work for so many rounds is little; pairs of pieces that have so many pairs of parts then may be crowded.
+constexpr int64_t few_rounds = 4;
+constexpr size_t least_crowd = 64;
+// Of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
 constexpr size_t most_side_by_side = 2048;
 constexpr double small_side_by_side = 0x1p-12; // area, in parts of pieces
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
@@ -72,8 +72,12 @@ CrossParts CrossSearch::run(double tolerance) {
     crowds_.allow(work_left());
     find_pieces();
     SearchSteps steps;
+    int64_t left = work_left();
     while (!pairs_.empty()) {
-        give_up_crowds();
+        const int64_t before = std::exchange(left, work_left());
+        if (few_rounds * (before - left) > left) {
+            give_up_crowds();
+        }
         for (const Pair &pair : pairs_) {
             work_ended() ? add(pair) : look(pair);
             steps.next(next_.size());
@@ -84,13 +88,8 @@ CrossParts CrossSearch::run(double tolerance) {
     return std::move(found_);
 }
 
-// What grows in one place must not take the work of all others: where it ends soon, pairs of pieces that have far more than others,
-// and more than their share of what is left, are left open.
+// What grows in one place must not take the work of all others: pairs of pieces that have far more than these are left open.
 void CrossSearch::give_up_crowds() {
-    const auto most = static_cast<size_t>(work_left() / work_of_rounds);
-    if (pairs_.size() <= most) {
-        return;
-    }
     std::vector<size_t> counts(crowds_.size());
     for (const Pair &pair : pairs_) {
         ++counts[pair.of];
@@ -99,9 +98,9 @@ void CrossSearch::give_up_crowds() {
     std::ranges::copy_if(counts, std::back_inserter(used), [](size_t count) { return count > 0; });
     const auto middle = used.begin() + std::ssize(used) / 2;
     std::ranges::nth_element(used, middle);
-    const size_t share = std::max({most / used.size(), 8 * *middle, least_share});
+    const size_t most = std::max(8 * *middle, least_crowd);
     std::erase_if(pairs_, [&](const Pair &pair) {
-        const bool crowd = counts[pair.of] > share;
+        const bool crowd = counts[pair.of] > most;
         if (crowd) {
             add(pair);
         }
