@@ -79,7 +79,8 @@ public:
     void forget() noexcept { near_.reset(); }
     // Whether all of the arc is beyond a place of a coordinate, above it for side 1, below it for side 0, by more than rounding.
     [[nodiscard]] bool lies_beyond(size_t coordinate, size_t side, double place) const {
-        int zeros_left = 48;
+        int zeros_left =
+            128; // more than it takes to come from a side to the nearest zero that is told from it
         for (size_t i = 0; i + 1 < zeros_.size(); ++i) {
             if (!lies_beyond(coordinate, side, place, zeros_[i], zeros_[i + 1], zeros_left)) {
                 return false;

@@ -127,20 +127,20 @@ ArcFinder::Verdict ArcFinder::look_along_borders() {
     return goes_on() ? Verdict::arc : Verdict::open;
 }
 
-// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little, or what is
-// inside is rounding.
+// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little; one that is
+// inside by no more than sides are shifted by is the neighbour's, if it has it.
 bool ArcFinder::set_along(size_t coordinate, size_t side) {
     constexpr double little = 0x1p-26, least = 4 * shift_of_sides;
     const CrossCell &cell = box_->cell(coordinate);
     double most = -infinity, fewest = infinity;
     for (const CrossPlace &z : graph_.zeros()) {
-        const double beyond = side == 1 ? z[coordinate] - 1 : -z[coordinate];
-        most = std::max(most, beyond * cell.length(coordinate % 2));
+        const double beyond = (side == 1 ? z[coordinate] - 1 : -z[coordinate]) * cell.length(coordinate % 2);
+        most = std::max(most, beyond);
         fewest = std::min(fewest, beyond);
     }
     arc_.along = true;
     arc_.far = std::max(arc_.far, most);
-    return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest * cell.length(coordinate % 2) >= -little;
+    return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest >= -least;
 }
 
 // Whether the chart is one of the surface beyond the borders, too, so that neighbours have the same arc.
