@@ -178,7 +178,7 @@ bool work_ended() noexcept {
 
 int64_t work_left() noexcept {
     Watch *const watch = Watch::current();
-    if (watch == nullptr || watch->limit_ == std::numeric_limits<int64_t>::max()) {
+    if (watch == nullptr) {
         return std::numeric_limits<int64_t>::max();
     }
     watch->settle();

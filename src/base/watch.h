@@ -197,7 +197,7 @@ private:
 
 // Whether the limit of work is reached.
 [[nodiscard]] bool work_ended() noexcept;
-// What is left of it; without a limit the largest number.
+// What is left of it; without a limit more than any work.
 [[nodiscard]] int64_t work_left() noexcept;
 // Throws as Watch::count() does if a limited search has come to the limit of work: for those to whom half an answer is none.
 void require_work();
