@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/levels/trace/ranges_tree.h"
 #include "intersect/surfaces/cross_spot.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ public:
                  std::vector<CrossGroup> groups)
         : surfaces_{&a, &b}, distances_(a, b), arcs_(arcs), next_(arcs.size(), unmatched),
           last_(arcs.size(), unmatched), taken_(arcs.size(), false), groups_(std::move(groups)),
-          around_(a, b, around(groups_)) {}
+          around_(a.borders, b.borders, around(groups_)) {}
 
     CrossChains run() {
         set_spots();

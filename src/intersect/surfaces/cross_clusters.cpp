@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/levels/trace/cluster_groups.h"
+#include "intersect/levels/trace/ranges_tree.h"
 
 #include <algorithm>
 #include <functional>
@@ -158,7 +159,7 @@ private:
         for (const Part &group : groups_) {
             ranges.push_back(group.ranges);
         }
-        const RangesTree tree(*surfaces_[0], *surfaces_[1], ranges);
+        const RangesTree tree(surfaces_[0]->borders, surfaces_[1]->borders, ranges);
         std::vector<bool> taken(groups_.size(), false);
         std::vector<Part> kept;
         for (size_t i = 0; i < groups_.size(); ++i) {
@@ -220,29 +221,6 @@ private:
 };
 
 } // namespace
-
-RangesTree::RangesTree(const CrossSurface &a, const CrossSurface &b, const std::vector<Ranges> &ranges) {
-    for (size_t i = 0; i < 3; ++i) {
-        const SurfaceBorders &borders = (i < 2 ? a : b).borders;
-        turns_[i] = borders.wraps(i % 2) ? 1 : 0;
-        periods_[i] = borders.wraps(i % 2) ? borders.period(i % 2) : 0;
-    }
-    std::vector<Box3> boxes;
-    for (const Ranges &own : ranges) {
-        boxes.push_back(box_of(own, {}));
-    }
-    count_work(100 * std::ssize(boxes));
-    tree_ = BoxTree(boxes);
-}
-
-Box3 RangesTree::box_of(const Ranges &ranges, const std::array<int, 3> &turns) const noexcept {
-    Box3 box;
-    for (size_t i = 0; i < 3; ++i) {
-        box.lower[i] = ranges[i].lower + turns[i] * periods_[i];
-        box.upper[i] = ranges[i].upper + turns[i] * periods_[i];
-    }
-    return box;
-}
 
 std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const TouchTest &touch,
                                      const std::vector<CrossCluster> &clusters) {
