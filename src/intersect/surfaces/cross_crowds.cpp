@@ -5,6 +5,7 @@
 #include "base/watch.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace nrb::intersect {
 
@@ -119,6 +120,22 @@ void CrossCrowds::find_crowds() {
         PiecePair &pair = pairs_[number];
         pair.crowded = pair.crowded || pair.near > share_near || pair.along > share_along;
     }
+}
+
+size_t CrossCrowds::share_of(size_t most, const std::vector<size_t> &counts) noexcept {
+    const auto used = static_cast<size_t>(std::ranges::count_if(counts, [](size_t n) { return n > 0; }));
+    return std::max(most / std::max(used, size_t{1}), least_near);
+}
+
+size_t CrossCrowds::far_above(const std::vector<size_t> &counts) {
+    std::vector<size_t> used;
+    std::ranges::copy_if(counts, std::back_inserter(used), [](size_t n) { return n > 0; });
+    if (used.empty()) {
+        return least_near;
+    }
+    const auto middle = used.begin() + std::ssize(used) / 2;
+    std::ranges::nth_element(used, middle);
+    return std::max(8 * *middle, least_near);
 }
 
 // Pieces with weights of no certain sign are in parts, so that there may be several pairs of the same ones.

@@ -31,7 +31,6 @@ public:
     void allow(int64_t work) noexcept { times_ = static_cast<size_t>(std::max(work / usual, int64_t{1})); }
 
     Number add(const CrossPiece &a, const CrossPiece &b);
-    [[nodiscard]] size_t size() const noexcept { return pairs_.size(); }
     [[nodiscard]] bool is_crowded(Number pair) const noexcept { return pairs_[pair].crowded; }
 
     // along: whether one lies on the other one, as far as its middle tells.
@@ -45,9 +44,23 @@ public:
     // Ends the round.
     void settle();
 
+    // How many of some there are, which know the pieces that they are of.
+    template <class Pairs>
+    [[nodiscard]] std::vector<size_t> counts_of(const Pairs &pairs) const {
+        std::vector<size_t> counts(pairs_.size());
+        for (const auto &pair : pairs) {
+            ++counts[pair.of];
+        }
+        return counts;
+    }
+    // Of those that there are of any of: the share of so many, and what is far more than most have; both at least what may be in
+    // one place alone.
+    static size_t share_of(size_t most, const std::vector<size_t> &counts) noexcept;
+    static size_t far_above(const std::vector<size_t> &counts);
+
 private:
     static constexpr size_t most_near = 4096, most_along = 512; // of all
-    static constexpr size_t least_near = 64, least_along = 16;  // shares of pairs of pieces
+    static constexpr size_t least_near = 64, least_along = 16;  // of one pair of pieces
     static constexpr int most_asked = 4;
     static constexpr int64_t usual = 400000000;
 

@@ -14,9 +14,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
-// What is left of the work for so many rounds is little; pairs of pieces that have so many pairs of parts then may be crowded.
-constexpr int64_t few_rounds = 4;
-constexpr size_t least_crowd = 64;
+constexpr int64_t few_rounds = 4;       // for which the work that is left is enough, where little is
 // Of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
 constexpr size_t most_side_by_side = 2048;
 constexpr double small_side_by_side = 0x1p-12; // area, in parts of pieces
@@ -90,15 +88,8 @@ CrossParts CrossSearch::run(double tolerance) {
 
 // What grows in one place must not take the work of all others: pairs of pieces that have far more than these are left open.
 void CrossSearch::give_up_crowds() {
-    std::vector<size_t> counts(crowds_.size());
-    for (const Pair &pair : pairs_) {
-        ++counts[pair.of];
-    }
-    std::vector<size_t> used;
-    std::ranges::copy_if(counts, std::back_inserter(used), [](size_t count) { return count > 0; });
-    const auto middle = used.begin() + std::ssize(used) / 2;
-    std::ranges::nth_element(used, middle);
-    const size_t most = std::max(8 * *middle, least_crowd);
+    const std::vector<size_t> counts = crowds_.counts_of(pairs_);
+    const size_t most = CrossCrowds::far_above(counts);
     std::erase_if(pairs_, [&](const Pair &pair) {
         const bool crowd = counts[pair.of] > most;
         if (crowd) {
@@ -135,10 +126,13 @@ void CrossSearch::settle_side_by_side() {
         return std::max(pair.a->length(0) * pair.a->length(1), pair.b->length(0) * pair.b->length(1)) <=
                small_side_by_side;
     };
-    const bool crowded =
-        static_cast<size_t>(std::ranges::count_if(side_by_side_, is_small)) > most_side_by_side;
+    std::vector<Pair> small;
+    std::ranges::copy_if(side_by_side_, std::back_inserter(small), is_small);
+    const std::vector<size_t> counts = crowds_.counts_of(small);
+    const size_t most =
+        small.size() <= most_side_by_side ? small.size() : CrossCrowds::share_of(most_side_by_side, counts);
     for (const Pair &pair : side_by_side_) {
-        crowded &&is_small(pair) ? add(pair) : halve_both(pair);
+        is_small(pair) && counts[pair.of] > most ? add(pair) : halve_both(pair);
     }
     side_by_side_.clear();
 }
@@ -287,7 +281,7 @@ bool CrossSearch::look_for_contact(Pair &pair) {
     switch (contact_.look(*pair.a, *pair.b)) {
     case ContactChart::Verdict::contact:
         count_work(work_of_a_kept_part);
-        found_.contacts.push_back({ranges_of({pair.a, pair.b, {}}), contact_.place(), contact_.change()});
+        found_.contacts.push_back({ranges_of(*pair.a, *pair.b), contact_.place(), contact_.change()});
         return true;
     case ContactChart::Verdict::apart:
         pair.no_contact = true;
@@ -364,32 +358,18 @@ void CrossSearch::halve_both(const Pair &pair) {
     }
 }
 
-namespace {
-
-void set_ranges(const CrossCell &cell, Interval *ranges) noexcept {
-    for (size_t k = 0; k < 2; ++k) {
-        const double lower = cell.piece().range[k].lower, upper = cell.piece().range[k].upper;
-        const auto parameter = [&](double place) {
-            return place == 1 ? upper : std::clamp(lower * (1 - place) + upper * place, lower, upper);
-        };
-        ranges[k] = {parameter(cell.lower(k)), parameter(cell.lower(k) + cell.length(k))};
-    }
+std::array<Interval, 4> ranges_of(const CrossCell &a, const CrossCell &b) noexcept {
+    const std::array<Interval, 2> of_a = a.ranges(), of_b = b.ranges();
+    return {of_a[0], of_a[1], of_b[0], of_b[1]};
 }
 
-} // namespace
-
 std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept {
-    std::array<Interval, 4> ranges;
-    set_ranges(*box.a, ranges.data());
-    set_ranges(*box.b, ranges.data() + 2);
-    return ranges;
+    return ranges_of(*box.a, *box.b);
 }
 
 void CrossSearch::add(const Pair &pair) {
     count_work(work_of_a_kept_part);
-    CrossCluster &cluster = found_.clusters.emplace_back();
-    set_ranges(*pair.a, cluster.ranges.data());
-    set_ranges(*pair.b, cluster.ranges.data() + 2);
+    found_.clusters.push_back({ranges_of(*pair.a, *pair.b)});
 }
 
 // Of groups of pieces all of the surface.

@@ -32,6 +32,7 @@ struct CrossParts {
 };
 
 // Parameters of both parts.
+std::array<Interval, 4> ranges_of(const CrossCell &a, const CrossCell &b) noexcept;
 std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept;
 
 // Pairs of pieces whose boxes have common points, then pairs of their parts, all of one size before smaller ones: a pair is
