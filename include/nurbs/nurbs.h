@@ -5915,7 +5915,8 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  *   precision does not tell from these; a pole.
  * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, in regions that are no
  *   overlaps, or along curves across which their distance does not bend all along; a derivative vanishes; or the limit of work
- *   came first. Parts that hang together are one node.
+ *   came first. Parts that hang together are one node. What takes more than its share of the work, of all pairs of Bezier
+ *   pieces that meet, is left open there, and nothing elsewhere.
  *
  * Branches of the kind NURBS_BRANCH_TOUCH (nurbs_meet_kinds()) are curves along which surfaces touch: in the parts around,
  * the second derivative of the height of one over the other across the curve is proven to have one sign, so that in each place
@@ -5949,8 +5950,10 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * Outside of these the branches are all there is, to within their deviations. Branches along borders of pieces are told once, and
  * curves of their domains stay in these. Only curves are told: where just
  * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds for each pair
- * of pieces that meet, and for each piece of a curve. Where surfaces are one in a region, it is the number of pairs
- * of parts within the tolerance that ends the search, after some ten milliseconds; proofs take up to a millisecond for each piece.
+ * of pieces that meet, and for each piece of a curve; about a millisecond for each place in which they touch. Where surfaces
+ * are one in a region, it is the number of pairs of parts within the tolerance that ends the search in it, after some ten
+ * milliseconds; proofs take up to a millisecond for each piece. Where call.work gives no limit there is one of about a
+ * second, and more for many control points.
  * \param[in] a,b surfaces of dimension 3.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points.
  * \param[out] out the new meet; all of it but overlaps has level 0. nurbs_meet_branch() gives curves in the domain of a,

@@ -176,6 +176,16 @@ bool work_ended() noexcept {
     return watch_of_thread != nullptr && watch_of_thread->ended();
 }
 
+int64_t work_left() noexcept {
+    Watch *const watch = Watch::current();
+    if (watch == nullptr) {
+        return std::numeric_limits<int64_t>::max();
+    }
+    watch->settle();
+    watch->grant();
+    return watch->ended_ ? 0 : std::max<int64_t>(0, watch->limit_ - watch->counted_);
+}
+
 void require_work() {
     if (work_ended()) {
         watch_of_thread->end();

@@ -58,6 +58,7 @@ private:
     friend class NotCounted;
     friend class NeededWork;
     friend class UsualLimit;
+    friend int64_t work_left() noexcept;
     friend void require_work();
     friend void end_for_work();
     using Clock = std::chrono::steady_clock;
@@ -196,6 +197,8 @@ private:
 
 // Whether the limit of work is reached.
 [[nodiscard]] bool work_ended() noexcept;
+// What is left of it; without a limit more than any work.
+[[nodiscard]] int64_t work_left() noexcept;
 // Throws as Watch::count() does if a limited search has come to the limit of work: for those to whom half an answer is none.
 void require_work();
 // The same where a part of the work, such as its half, has ended; without a limit it does nothing.

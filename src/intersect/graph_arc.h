@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -76,6 +77,17 @@ public:
     // A zero in or beside the box, if one was met.
     [[nodiscard]] const std::optional<At> &near() const noexcept { return near_; }
     void forget() noexcept { near_.reset(); }
+    // Whether all of the arc is beyond a place of a coordinate, above it for side 1, below it for side 0, by more than rounding.
+    [[nodiscard]] bool lies_beyond(size_t coordinate, size_t side, double place) const {
+        int zeros_left =
+            128; // more than it takes to come from a side to the nearest zero that is told from it
+        for (size_t i = 0; i + 1 < zeros_.size(); ++i) {
+            if (!lies_beyond(coordinate, side, place, zeros_[i], zeros_[i + 1], zeros_left)) {
+                return false;
+            }
+        }
+        return zeros_.size() > 1;
+    }
     // Whether a coordinate may rise and fall.
     [[nodiscard]] static bool changes(const Box &box, size_t coordinate) noexcept {
         const Interval &rise = box.chart.rise(coordinate);
@@ -249,21 +261,42 @@ private:
         return false;
     }
 
-    // Between zeros a coordinate rises as D says.
-    [[nodiscard]] bool stays(size_t coordinate) const {
+    // Where a coordinate is between two zeros, by rising k: it rises as D says.
+    [[nodiscard]] Interval between(const At &first, const At &last, size_t coordinate) const {
         const Interval &rise = box_->chart.rise(coordinate);
         const size_t k = box_->chart.axis();
+        const double from = first[coordinate], to = last[coordinate], far = last[k] - first[k],
+                     wide = rise.upper - rise.lower;
+        const double up = std::max((to - from - rise.lower * far) / wide, 0.0),
+                     down = std::max((rise.upper * far - (to - from)) / wide, 0.0);
+        return {from + std::min(rise.lower, 0.0) * down, from + std::max(rise.upper, 0.0) * up};
+    }
+    [[nodiscard]] bool stays(size_t coordinate) const {
         for (size_t i = 0; i + 1 < zeros_.size(); ++i) {
-            const double from = zeros_[i][coordinate], to = zeros_[i + 1][coordinate],
-                         far = zeros_[i + 1][k] - zeros_[i][k], wide = rise.upper - rise.lower;
-            const double up = std::max((to - from - rise.lower * far) / wide, 0.0),
-                         down = std::max((rise.upper * far - (to - from)) / wide, 0.0);
-            if (!(from + std::max(rise.upper, 0.0) * up <= sides_[coordinate][1]) ||
-                !(from + std::min(rise.lower, 0.0) * down >= sides_[coordinate][0])) {
+            const Interval range = between(zeros_[i], zeros_[i + 1], coordinate);
+            if (!(range.upper <= sides_[coordinate][1]) || !(range.lower >= sides_[coordinate][0])) {
                 return false;
             }
         }
         return true;
+    }
+    // With more zeros where it takes them.
+    [[nodiscard]] bool lies_beyond(size_t coordinate, size_t side, double place, const At &first,
+                                   const At &last, int &zeros_left) const {
+        const double room = 2 * box_->chart.noise() + 16 * eps;
+        const auto beyond = [&](double x) { return (side == 1 ? x - place : place - x) > room; };
+        const Interval range = between(first, last, coordinate);
+        if (beyond(side == 1 ? range.lower : range.upper)) {
+            return true;
+        }
+        At middle{};
+        for (size_t i = 0; i < N; ++i) {
+            middle[i] = std::midpoint(first[i], last[i]);
+        }
+        return --zeros_left >= 0 && beyond(first[coordinate]) && beyond(last[coordinate]) &&
+               box_->solve(box_->chart.axis(), middle) &&
+               lies_beyond(coordinate, side, place, first, middle, zeros_left) &&
+               lies_beyond(coordinate, side, place, middle, last, zeros_left);
     }
 
     // Both ends, and inside_ or what divides the way between them.

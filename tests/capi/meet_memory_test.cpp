@@ -42,6 +42,7 @@ nurbs *graph(int64_t n, Height &&height) {
 struct Pair {
     const char *name;
     nurbs *a, *b;
+    int32_t complete; // at the usual limit of work, which is more than any limit here
 };
 
 // Bytes at once, besides those that handles keep after their first call.
@@ -55,13 +56,13 @@ int64_t peak_of(const Pair &pair, int64_t work) {
     const int64_t peak = counted_memory::end();
     int32_t complete = -1;
     CHECK_INT(nurbs_meet_counts(meet, nullptr, nullptr, &complete), NURBS_OK);
-    CHECK_INT(complete, 0); // there is more to do than any limit here lets them
+    CHECK_INT(complete, work == 0 ? pair.complete : 0);
     nurbs_meet_destroy(meet);
     return peak;
 }
 
 void check(const Pair &pair) {
-    constexpr int64_t few = 200000, usual = 256000000; // bytes
+    constexpr int64_t few = 200000, usual = 400000000; // bytes
     peak_of(pair, 1);
     for (const int64_t work : {100000, 1000000, 10000000, 100000000}) {
         const int64_t peak = peak_of(pair, work);
@@ -69,7 +70,9 @@ void check(const Pair &pair) {
                     static_cast<long long>(peak));
         CHECK(peak <= few + work);
     }
-    CHECK(peak_of(pair, 0) <= usual);
+    const int64_t most = peak_of(pair, 0);
+    std::printf("%s, usual: %lld bytes\n", pair.name, static_cast<long long>(most));
+    CHECK(most <= usual);
     nurbs_destroy(pair.a);
     nurbs_destroy(pair.b);
 }
@@ -85,9 +88,9 @@ int main() {
     const auto beside = [&](double by) {
         return graph(40, [=](double u, double v) { return rough(u, v) + by * std::sin(50 * u * v); });
     };
-    check({"all but one", graph(40, rough), beside(1e-10)});
-    check({"near each other", graph(40, rough), beside(1e-6)});
+    check({"all but one", graph(40, rough), beside(1e-10), 0});
+    check({"near each other", graph(40, rough), beside(1e-6), 0});
     check({"waves across waves", graph(60, [](double u, double) { return 0.1 * std::sin(20 * pi * u); }),
-           graph(60, [](double, double v) { return 0.1 * std::sin(20 * pi * v); })});
+           graph(60, [](double, double v) { return 0.1 * std::sin(20 * pi * v); }), 1});
     return check_summary("meet_memory");
 }

@@ -33,6 +33,47 @@ inline Pair random_pair(Random &random) {
     return pair;
 }
 
+// The same of pieces with kinks between them: of degrees 1 to 3, 2 to 5 of them along each axis.
+inline SplineData kinked_hills(Random &random) {
+    SplineData data{{random.whole(1, 3), random.whole(1, 3)}, {}, {{}, {}}, 3, {}, {}, 0};
+    std::array<double, 2> step{}; // between control points
+    double rough = 1;
+    for (size_t k = 0; k < 2; ++k) {
+        const int p = data.degrees[k], pieces = random.whole(2, 5);
+        for (int i = 0; i <= pieces; ++i) {
+            const bool inside = i > 0 && i < pieces;
+            data.knots[k].insert(data.knots[k].end(), static_cast<size_t>(inside ? p : p + 1),
+                                 static_cast<double>(i) / pieces);
+        }
+        data.counts.push_back(p * pieces + 1);
+        step[k] = 2.0 / (p * pieces);
+        rough = std::min(rough, 1.0 / std::max(pieces - 1, 1));
+    }
+    const bool rational = random.chance(50);
+    for (int64_t i = 0; i < data.counts[0]; ++i) {
+        for (int64_t j = 0; j < data.counts[1]; ++j) {
+            const double x = static_cast<double>(i) + random.between(-0.2, 0.2),
+                         y = static_cast<double>(j) + random.between(-0.2, 0.2);
+            data.points.insert(data.points.end(),
+                               {x * step[0] - 1, y * step[1] - 1, rough * random.between(-0.6, 0.6)});
+            if (rational) {
+                data.weights.push_back(random.between(0.5, 2));
+            }
+        }
+    }
+    return data;
+}
+inline Pair kinked_pair(Random &random) {
+    Pair pair{kinked_hills(random), kinked_hills(random)};
+    if (random.chance(40)) {
+        move(pair.b, random_motion(random, 3, 1, 0.3));
+    } else {
+        pair.b = support::moved(
+            pair.b, {random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.2, 0.2)});
+    }
+    return pair;
+}
+
 // What was compared, and what could not be.
 struct Tally {
     int64_t compared = 0, in_doubt = 0, incomplete = 0, touching = 0, open = 0, closed = 0;

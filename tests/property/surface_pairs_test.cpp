@@ -46,6 +46,28 @@ TEST(SurfacePairsSizes, BranchesAreThoseOfTheOracle) {
     EXPECT_GE(tally.closed, cases / 10);
 }
 
+// Curves that pass kinks are cut there: pieces of polynomials that go on beyond their borders are none of theirs, and leave nothing open.
+TEST(SurfacePairsSizes, BranchesOfSurfacesWithKinks) {
+    Random random(0x5d06);
+    Tally tally;
+    const int64_t cases = scaled(100);
+    for (int64_t i = 0; i < cases; ++i) {
+        SCOPED_TRACE(i);
+        const Pair pair = kinked_pair(random);
+        const Met met = met_of(pair);
+        compare(met.crossing, met.count, tally);
+        check_places(met.crossing, met.a.get(), met.count, 2 * tolerance);
+        check_curves(met.crossing, Ground(met.a.get(), pair.a), Ground(met.b.get(), pair.b), 100);
+        check_nodes(met.crossing, 1e-9);
+        const Crossing exchanged = crossing_of(met.b.get(), met.a.get(), tolerance);
+        EXPECT_EQ(exchanged.open_ways, met.crossing.open_ways);
+        EXPECT_EQ(exchanged.closed_ways, met.crossing.closed_ways);
+    }
+    tally.tell();
+    EXPECT_GE(tally.compared, cases * 99 / 100);
+    EXPECT_GE(tally.open, cases);
+}
+
 // Curves that leave a surface where they all but run along a knot: parts beyond it have none of them, and are not left open.
 TEST(SurfacePairs, BesideKnots) {
     Random random(0x5d01);

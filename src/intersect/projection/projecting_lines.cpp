@@ -15,10 +15,10 @@ namespace nrb::intersect {
 
 namespace {
 
-using Box3 = std::array<Interval, 3>;
+using SpaceBox = std::array<Interval, 3>;
 
 // Of all points, however control points are weighted.
-Box3 box_of(const Spline &spline) {
+SpaceBox box_of(const Spline &spline) {
     Part all{};
     for (int k = 0; k < spline.axes(); ++k) {
         all[static_cast<size_t>(k)] = spline.axis(k).domain();
@@ -26,14 +26,14 @@ Box3 box_of(const Spline &spline) {
     const bounds::Box box = bounds::bounding_box(spline, all, bounds::extent(spline));
     require_representable(box.lower, "the box of the points");
     require_representable(box.upper, "the box of the points");
-    Box3 result;
+    SpaceBox result;
     for (size_t c = 0; c < 3; ++c) {
         result[c] = {box.lower[c], box.upper[c]};
     }
     return result;
 }
 
-double largest(const Box3 &box) noexcept {
+double largest(const SpaceBox &box) noexcept {
     double most = 0;
     for (const Interval &side : box) {
         most = std::max({most, std::abs(side.lower), std::abs(side.upper)});
@@ -41,12 +41,12 @@ double largest(const Box3 &box) noexcept {
     return most;
 }
 
-double size_of(const Box3 &box) noexcept {
+double size_of(const SpaceBox &box) noexcept {
     return std::hypot(box[0].upper - box[0].lower, box[1].upper - box[1].lower, box[2].upper - box[2].lower);
 }
 
 // With a margin, so that the surface does not end where the other one touches its box.
-Interval heights(const Box3 &from, const Box3 &to, const Vector3 &direction) noexcept {
+Interval heights(const SpaceBox &from, const SpaceBox &to, const Vector3 &direction) noexcept {
     const std::array<double, 3> along{direction.x, direction.y, direction.z};
     Interval range{0, 0};
     for (size_t c = 0; c < 3; ++c) {
@@ -74,7 +74,7 @@ SplinePtr moved(const SplinePtr &curve, const Vector3 &direction, double height)
 }
 
 // Of what the control points of a curve in a box make, each of which is rounded in a product and a sum.
-double rounding_of(const Spline &curve, const Box3 &box, const Interval &range) {
+double rounding_of(const Spline &curve, const SpaceBox &box, const Interval &range) {
     const double far = std::max(std::abs(range.lower), std::abs(range.upper));
     if (curve.form() != Form::homogeneous) {
         return 4 * eps * (largest_magnitude(curve.effective().points()) + far);
@@ -94,14 +94,14 @@ SplinePtr lines_along(const SplinePtr &curve, const Vector3 &direction, const In
 
 ProjectingLines projecting_lines(const SplinePtr &curve, const Spline &surface, const Vector3 &direction) {
     const Vector3 along = unit(scaled_to_one(direction));
-    const Box3 box = box_of(*curve);
+    const SpaceBox box = box_of(*curve);
     const Interval range = heights(box, box_of(surface), along);
     return {along, lines_along(curve, along, range), rounding_of(*curve, box, range)};
 }
 
 SplinePtr distance_lines(const SplinePtr &curve, const Spline &surface) {
-    Box3 all = box_of(*curve);
-    const Box3 other = box_of(surface);
+    SpaceBox all = box_of(*curve);
+    const SpaceBox other = box_of(surface);
     for (size_t c = 0; c < 3; ++c) {
         all[c] = {std::min(all[c].lower, other[c].lower), std::max(all[c].upper, other[c].upper)};
     }

@@ -2,9 +2,10 @@
 #include "intersect/surfaces/arc_places.h"
 
 #include "base/numbers.h"
+#include "base/watch.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace nrb::intersect {
 
@@ -15,14 +16,34 @@ constexpr double one_zero = 0x1p-10;
 
 } // namespace
 
-bool ArcPlaces::are_near(const CrossSpot &a, const CrossSpot &b) const noexcept {
+std::vector<size_t> ArcPlaces::near(const std::array<int64_t, 4> &index,
+                                    const NumbersOfPieces &numbers) const {
+    std::array<std::vector<int64_t>, 4> along;
     for (size_t i = 0; i < 4; ++i) {
-        const int64_t far = std::abs(a.index[i] - b.index[i]);
-        if (far > 1 && !(wraps(i) && far == count(i) - 1)) {
-            return false;
+        const int64_t n = count(i);
+        for (const int64_t step : {-1, 0, 1}) {
+            const int64_t at = wraps(i) ? (index[i] + step + n) % n : index[i] + step;
+            if (at >= 0 && at < n && std::ranges::count(along[i], at) == 0) {
+                along[i].push_back(at);
+            }
         }
     }
-    return true;
+    std::vector<size_t> all;
+    for (const int64_t u : along[0]) {
+        for (const int64_t v : along[1]) {
+            for (const int64_t s : along[2]) {
+                for (const int64_t t : along[3]) {
+                    count_work(20);
+                    const auto known = numbers.find({u, v, s, t});
+                    if (known != numbers.end()) {
+                        all.insert(all.end(), known->second.begin(), known->second.end());
+                    }
+                }
+            }
+        }
+    }
+    std::ranges::sort(all);
+    return all;
 }
 
 double ArcPlaces::length(size_t i, int64_t index) const noexcept {

@@ -4,14 +4,21 @@
 
 #include "intersect/surfaces/cross_spot.h"
 
+#include <map>
+#include <vector>
+
 namespace nrb::intersect {
+
+// Of arcs, by the pieces that they are in.
+using NumbersOfPieces = std::map<std::array<int64_t, 4>, std::vector<size_t>>;
 
 class ArcPlaces {
 public:
     ArcPlaces(const CrossSurface &a, const CrossSurface &b) : surfaces_{&a, &b} {}
 
-    // Whether pieces are the same ones, or neighbours.
-    [[nodiscard]] bool are_near(const CrossSpot &a, const CrossSpot &b) const noexcept;
+    // The numbers of what is in pieces, or in their neighbours.
+    [[nodiscard]] std::vector<size_t> near(const std::array<int64_t, 4> &index,
+                                           const NumbersOfPieces &numbers) const;
     // Whether a spot is one of the zeros in the wide box of an arc, at z there.
     [[nodiscard]] bool is_zero_of(const CrossArc &arc, const CrossSpot &spot, CrossPlace &z) const;
 

@@ -101,12 +101,21 @@ bool ArcFinder::move_sides() {
     return any;
 }
 
-// Polynomials of a piece are those of the surface as far as borders, so that nothing is said of what is between there and zeros.
+// Polynomials of a piece are those of the surface as far as borders, so that nothing is said of what is between there and zeros: an arc
+// that is beyond a border all along is none.
 ArcFinder::Verdict ArcFinder::look_along_borders() {
     constexpr int parts = 8;
     const Verdict verdict = look_between_sides(parts);
     if (verdict != Verdict::arc) {
         return verdict;
+    }
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t side = 0; side < 2; ++side) {
+            const double place = box_->side(i, side);
+            if (sides_[i][side] != place && graph_.lies_beyond(i, side, place)) {
+                return Verdict::nothing;
+            }
+        }
     }
     for (size_t i = 0; i < 4; ++i) {
         for (size_t side = 0; side < 2; ++side) {
@@ -118,7 +127,8 @@ ArcFinder::Verdict ArcFinder::look_along_borders() {
     return goes_on() ? Verdict::arc : Verdict::open;
 }
 
-// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little.
+// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little; one that is
+// inside by no more than sides are shifted by is the neighbour's, if it has it.
 bool ArcFinder::set_along(size_t coordinate, size_t side) {
     constexpr double little = 0x1p-26, least = 4 * shift_of_sides;
     const CrossCell &cell = box_->cell(coordinate);
@@ -130,7 +140,7 @@ bool ArcFinder::set_along(size_t coordinate, size_t side) {
     }
     arc_.along = true;
     arc_.far = std::max(arc_.far, most);
-    return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest >= -little;
+    return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest >= -least;
 }
 
 // Whether the chart is one of the surface beyond the borders, too, so that neighbours have the same arc.

@@ -89,6 +89,18 @@ bool CrossCell::is_inside(size_t axis, size_t end) const noexcept {
     return end == 0 ? lower_[axis] > 0 : upper_[axis] < 1;
 }
 
+std::array<Interval, 2> CrossCell::ranges() const noexcept {
+    std::array<Interval, 2> ranges;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto [lower, upper] = piece_->range[k];
+        const auto parameter = [lower = lower, upper = upper](double place) {
+            return place == 1 ? upper : std::clamp(lower * (1 - place) + upper * place, lower, upper);
+        };
+        ranges[k] = {parameter(lower_[k]), parameter(lower_[k] + length_[k])};
+    }
+    return ranges;
+}
+
 double CrossCell::side(size_t axis, size_t end) const noexcept {
     const double shift = is_inside(axis, end) ? piece_->shift[axis] : piece_->shifts[axis][end];
     return static_cast<double>(end) + shift / length_[axis];

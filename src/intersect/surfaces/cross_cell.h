@@ -119,6 +119,8 @@ public:
     [[nodiscard]] double in_part(size_t axis, double place) const noexcept {
         return (place - lower_[axis]) / length_[axis];
     }
+    // Of parameters.
+    [[nodiscard]] std::array<Interval, 2> ranges() const noexcept;
     // Where its box ends, as places in the part.
     [[nodiscard]] double side(size_t axis, size_t end) const noexcept;
     [[nodiscard]] bool is_open(size_t axis, size_t end) const noexcept;

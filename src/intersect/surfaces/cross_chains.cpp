@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/levels/trace/ranges_tree.h"
 #include "intersect/surfaces/cross_spot.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ public:
     CrossJoining(const CrossSurface &a, const CrossSurface &b, const std::vector<JoinedArc> &arcs,
                  std::vector<CrossGroup> groups)
         : surfaces_{&a, &b}, distances_(a, b), arcs_(arcs), next_(arcs.size(), unmatched),
-          last_(arcs.size(), unmatched), taken_(arcs.size(), false), groups_(std::move(groups)) {}
+          last_(arcs.size(), unmatched), taken_(arcs.size(), false), groups_(std::move(groups)),
+          around_(a.borders, b.borders, around(groups_)) {}
 
     CrossChains run() {
         set_spots();
@@ -193,22 +195,46 @@ private:
         if (arcs_[arc].open[end]) {
             return add_node(NodeKind::border, spot);
         }
-        for (size_t group = 0; group < groups_.size(); ++group) {
-            count_work(4);
-            if (is_in(spot, groups_[group].ranges, true)) {
-                return static_cast<int64_t>(group);
-            }
+        size_t first = groups_.size();
+        around_.visit(ranges_of(spot), [&](size_t group) {
+            first = group < first && is_in(spot, groups_[group].ranges, true) ? group : first;
+        });
+        if (first < groups_.size()) {
+            return static_cast<int64_t>(first);
         }
         const bool ends = arcs_[arc].creased[end] || is_at_border(spot);
         return add_node(ends ? NodeKind::border : NodeKind::undecided, spot);
     }
-    // With what sides are shifted by, and what seams move. Around parts in which arcs are not told apart there are some in which
+    // As much around each group as it is large.
+    static std::vector<RangesTree::Ranges> around(const std::vector<CrossGroup> &groups) {
+        std::vector<RangesTree::Ranges> all;
+        for (const CrossGroup &group : groups) {
+            RangesTree::Ranges &wide = all.emplace_back(group.ranges);
+            for (Interval &range : wide) {
+                const double size = range.upper - range.lower;
+                range = {range.lower - size, range.upper + size};
+            }
+        }
+        return all;
+    }
+    // What sides are shifted by, and what seams move.
+    [[nodiscard]] double room_of(const CrossSpot &spot, size_t i) const noexcept {
+        return (one_place + 16 * spot.noise[i]) * distances_.length(i, spot.index[i]);
+    }
+    [[nodiscard]] RangesTree::Ranges ranges_of(const CrossSpot &spot) const noexcept {
+        RangesTree::Ranges ranges;
+        for (size_t i = 0; i < 4; ++i) {
+            const double room = 1.01 * room_of(spot, i), at = spot.parameter[i];
+            ranges[i] = {at - room, at + room};
+        }
+        return ranges;
+    }
+    // With that room. Around parts in which arcs are not told apart there are some in which
     // rounding hides them: where these count, too, but nothing is proven of them.
     [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges,
                              bool around) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
-            const double room = (one_place + 16 * spot.noise[i]) * distances_.length(i, spot.index[i]) +
-                                (around ? ranges[i].upper - ranges[i].lower : 0),
+            const double room = room_of(spot, i) + (around ? ranges[i].upper - ranges[i].lower : 0),
                          at = spot.parameter[i];
             const double period = wraps(i) ? surfaces_[i / 2]->borders.period(i % 2) : 0;
             bool in = false;
@@ -274,12 +300,16 @@ private:
         for (const size_t arc : arcs) {
             length += length_of(spots_[0][arc], spots_[1][arc]);
         }
-        return std::ranges::any_of(groups_, [&](const CrossGroup &group) {
+        const auto holds = [&](const CrossGroup &group) {
             return (group.touch || length <= little) && std::ranges::all_of(arcs, [&](size_t arc) {
                        return is_in(spots_[0][arc], group.ranges, !group.touch) &&
                               is_in(spots_[1][arc], group.ranges, !group.touch);
                    });
-        });
+        };
+        bool any = false;
+        around_.visit(ranges_of(spots_[0][arcs.front()]),
+                      [&](size_t group) { any = any || holds(groups_[group]); });
+        return any;
     }
     // Parts of one way follow each other.
     void add_part(CrossChain chain, int64_t loop, size_t begun) {
@@ -308,6 +338,7 @@ private:
     std::vector<size_t> next_, last_;             // arcs
     std::vector<bool> taken_;
     std::vector<CrossGroup> groups_; // of clusters: the first nodes
+    RangesTree around_;              // with what is around them
     std::vector<double> lengths_;    // of arcs
     int64_t loops_ = 0;
     CrossChains result_;

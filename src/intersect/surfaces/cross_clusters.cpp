@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/levels/trace/cluster_groups.h"
+#include "intersect/levels/trace/ranges_tree.h"
 
 #include <algorithm>
 #include <functional>
@@ -26,16 +27,13 @@ public:
             return {};
         }
         for (const Members &members : groups_on_both()) {
-            Ranges all = clusters_[members.front()].ranges;
-            for (const size_t member : members) {
-                enclose(clusters_[member].ranges, all);
-            }
-            groups_.push_back(all);
+            groups_.push_back(together(members));
         }
-        std::ranges::sort(groups_, std::ranges::greater(), size_of);
+        std::ranges::sort(groups_, std::ranges::greater(),
+                          [](const Part &part) { return size_of(part.ranges); });
         absorb();
         std::vector<CrossGroup> result;
-        for (Ranges &group : groups_) {
+        for (auto &[group, room] : groups_) {
             if (holds_nothing(group)) {
                 continue;
             }
@@ -50,6 +48,12 @@ public:
     }
 
 private:
+    // What hangs together, and how much room there is around it: twice what its largest member is wide.
+    struct Part {
+        Ranges ranges;
+        std::array<double, 4> room;
+    };
+
     // Parts of one surface may be large where the other one bends: what is together there is told apart on the other one.
     [[nodiscard]] std::vector<Members> groups_on_both() const {
         Members all(clusters_.size());
@@ -76,6 +80,19 @@ private:
             Members &members = groups.emplace_back();
             std::ranges::transform(group, std::back_inserter(members), [&](size_t i) { return of[i]; });
         }
+    }
+
+    [[nodiscard]] Part together(const Members &members) const {
+        Part all{clusters_[members.front()].ranges, {}};
+        for (const size_t member : members) {
+            const Ranges &own = clusters_[member].ranges;
+            enclose(own, all.ranges);
+            const std::array<double, 4> room = room_of(own);
+            for (size_t i = 0; i < 4; ++i) {
+                all.room[i] = std::max(all.room[i], room[i]);
+            }
+        }
+        return all;
     }
 
     // Arcs that were left open along borders of pieces may all be beyond them. With what sides of boxes are shifted by.
@@ -136,27 +153,59 @@ private:
         }
     }
 
-    // Larger ones come first.
+    // Larger ones come first. What is no touch takes others from where it was, or those in a row would all be one.
     void absorb() {
-        constexpr size_t most = 256; // of what is looked at in all pairs
-        for (size_t i = 0; i < std::min(groups_.size(), most); ++i) {
-            for (size_t j = i + 1; j < std::min(groups_.size(), most); ++j) {
-                count_work(20);
-                if (are_near(groups_[i], groups_[j])) {
-                    enclose(groups_[j], groups_[i]);
-                    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(j));
-                    j = i;
-                }
+        std::vector<Ranges> ranges;
+        for (const Part &group : groups_) {
+            ranges.push_back(group.ranges);
+        }
+        const RangesTree tree(surfaces_[0]->borders, surfaces_[1]->borders, ranges);
+        std::vector<bool> taken(groups_.size(), false);
+        std::vector<Part> kept;
+        for (size_t i = 0; i < groups_.size(); ++i) {
+            if (!taken[i]) {
+                taken[i] = true;
+                kept.push_back(with_near(groups_[i], tree, taken));
             }
         }
+        groups_ = std::move(kept);
     }
-    [[nodiscard]] bool are_near(const Ranges &large, const Ranges &small) const noexcept {
+    // Touches are no part of what is none; what is near one is a part of it.
+    [[nodiscard]] Part with_near(const Part &group, const RangesTree &tree, std::vector<bool> &taken) const {
+        const bool touch = touch_.is_touch(group.ranges);
+        Part all = group;
+        for (bool any = true; any;) {
+            any = false;
+            const Part near = touch ? Part{all.ranges, room_of(all.ranges)} : group;
+            tree.visit(widened(near.ranges, near.room), [&](size_t i) {
+                const Ranges &own = groups_[i].ranges;
+                if (!taken[i] && are_near(near, own) && (touch || !touch_.is_touch(own))) {
+                    taken[i] = any = true;
+                    enclose(own, all.ranges);
+                }
+            });
+        }
+        return all;
+    }
+    static std::array<double, 4> room_of(const Ranges &ranges) noexcept {
+        std::array<double, 4> room{};
         for (size_t i = 0; i < 4; ++i) {
-            const double room = 2 * (large[i].upper - large[i].lower);
+            room[i] = 2 * (ranges[i].upper - ranges[i].lower);
+        }
+        return room;
+    }
+    static Ranges widened(Ranges ranges, const std::array<double, 4> &room) noexcept {
+        for (size_t k = 0; k < 4; ++k) {
+            ranges[k] = {ranges[k].lower - room[k], ranges[k].upper + room[k]};
+        }
+        return ranges;
+    }
+    [[nodiscard]] bool are_near(const Part &large, const Ranges &small) const noexcept {
+        for (size_t i = 0; i < 4; ++i) {
             bool any = false;
             for (const double shift : {0.0, period(i), -period(i)}) {
-                any = any || (small[i].lower + shift <= large[i].upper + room &&
-                              small[i].upper + shift >= large[i].lower - room);
+                any = any || (small[i].lower + shift <= large.ranges[i].upper + large.room[i] &&
+                              small[i].upper + shift >= large.ranges[i].lower - large.room[i]);
             }
             if (!any) {
                 return false;
@@ -168,7 +217,7 @@ private:
     std::array<const CrossSurface *, 2> surfaces_;
     const TouchTest &touch_;
     const std::vector<CrossCluster> &clusters_;
-    std::vector<Ranges> groups_;
+    std::vector<Part> groups_;
 };
 
 } // namespace

@@ -44,6 +44,7 @@ private:
     void keep(const CrossArc &arc) {
         kept_.push_back(arc);
         spots_.push_back({spot_of(arc, arc.ends[0]), spot_of(arc, arc.ends[1])});
+        numbers_[spots_.back()[0].index].push_back(kept_.size() - 1);
     }
     // On the way of an arc.
     static double along(const CrossArc &arc, const CrossPlace &z) noexcept {
@@ -56,11 +57,9 @@ private:
     void add(const CrossArc &arc) {
         std::vector<Interval> rest{way_of(arc)};
         const std::array<CrossSpot, 2> spots{spot_of(arc, arc.ends[0]), spot_of(arc, arc.ends[1])};
-        for (size_t other = 0; other < kept_.size() && !rest.empty(); ++other) {
+        for (const size_t other : places_.near(spots[0].index, numbers_)) {
             count_work(10);
-            if (places_.are_near(spots[0], spots_[other][0])) {
-                take(common(arc, spots, kept_[other], spots_[other]), rest);
-            }
+            take(common(arc, spots, kept_[other], spots_[other]), rest);
         }
         for (const Interval &part : rest) {
             if (part.upper - part.lower > least_rest) {
@@ -134,6 +133,7 @@ private:
     CrossParts &found_;
     std::vector<CrossArc> kept_;
     std::vector<std::array<CrossSpot, 2>> spots_; // of what is kept
+    NumbersOfPieces numbers_;
 };
 
 } // namespace

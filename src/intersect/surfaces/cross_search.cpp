@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace nrb::intersect {
@@ -13,37 +14,12 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
-constexpr size_t most_flat = 4096; // pairs of one size within the tolerance of each other that are halved
-constexpr size_t most_pairs = 1 << 16;
-// The same of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
+constexpr int64_t few_rounds = 4;       // for which the work that is left is enough, where little is
+// Of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
 constexpr size_t most_side_by_side = 2048;
 constexpr double small_side_by_side = 0x1p-12; // area, in parts of pieces
-constexpr size_t most_alike = 512; // pairs of one size of which one lies on the other as far as can be seen
 // In parts of the errors of points: what is no thicker is not told apart by smaller parts.
 constexpr double thick = 32;
-
-// How far the middle of a part is from another one, near its foot there; infinite if that is not in the wide part.
-double distance_of_middle(const CrossCell &from, const CrossCell &to) noexcept {
-    constexpr int most_steps = 4;
-    std::array<double, 2> at{0.5, 0.5};
-    for (int i = 0;; ++i) {
-        count_work(300);
-        const CrossPiece::Point point = to.piece().evaluate(to.in_piece(at.data()));
-        const Vector3 away = from.centre() - point.at, u = to.length(0) * point.slope[0],
-                      v = to.length(1) * point.slope[1];
-        if (i == most_steps) {
-            return length(away);
-        }
-        const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
-        at[0] += (dot(away, u) * vv - dot(away, v) * uv) / determinant;
-        at[1] += (dot(away, v) * uu - dot(away, u) * uv) / determinant;
-        for (const double x : at) {
-            if (!(x >= -widening && x <= 1 + widening)) {
-                return infinity;
-            }
-        }
-    }
-}
 
 // Whether the cosine of the angle between the normals in the middles is not less.
 bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) noexcept {
@@ -78,7 +54,8 @@ bool are_side_by_side(const CrossCell &a, const CrossCell &b) noexcept {
 CrossSearch::CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                          const SurfaceBorders &borders_b)
     : frame_(pieces::frame_of({{&a, &b}})), a_(a, frame_, borders_a, side_shifts[0]),
-      b_(b, frame_, borders_b, side_shifts[1]), solver_(a_.ground, b_.ground), contact_(solver_) {}
+      b_(b, frame_, borders_b, side_shifts[1]), crowds_(a_.ground, b_.ground), solver_(a_.ground, b_.ground),
+      contact_(solver_) {}
 
 CrossSearch::CrossSearch(const Spline &g, const SurfaceBorders &borders)
     : CrossSearch(g, g, borders, borders) {
@@ -90,15 +67,17 @@ CrossParts CrossSearch::run(double tolerance) {
     if (self_ && self_->is_one_sheet()) {
         return {};
     }
+    crowds_.allow(work_left());
     find_pieces();
     SearchSteps steps;
+    int64_t left = work_left();
     while (!pairs_.empty()) {
+        const int64_t before = std::exchange(left, work_left());
+        if (few_rounds * (before - left) > left) {
+            give_up_crowds();
+        }
         for (const Pair &pair : pairs_) {
-            if (work_ended() || next_.size() + flat_.size() + 4 * side_by_side_.size() > most_pairs) {
-                add(pair);
-            } else {
-                look(pair);
-            }
+            work_ended() ? add(pair) : look(pair);
             steps.next(next_.size());
         }
         settle_crowds();
@@ -107,14 +86,37 @@ CrossParts CrossSearch::run(double tolerance) {
     return std::move(found_);
 }
 
-// Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other.
+// What grows in one place must not take the work of all others: pairs of pieces that have far more than these are left open.
+void CrossSearch::give_up_crowds() {
+    const std::vector<size_t> counts = crowds_.counts_of(pairs_);
+    const size_t most = CrossCrowds::far_above(counts);
+    std::erase_if(pairs_, [&](const Pair &pair) {
+        const bool crowd = counts[pair.of] > most;
+        if (crowd) {
+            add(pair);
+        }
+        return crowd;
+    });
+}
+
+// Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other. What is
+// hardly thicker than the tolerance may lie on a surface that it touches.
 void CrossSearch::settle_crowds() {
-    crowded_ = crowded_ || flat_.size() > most_flat || alike_ > most_alike;
-    for (const auto &[pair, first] : flat_) {
-        crowded_ ? add(pair) : halve(pair, first);
+    constexpr double thick_to_lie = 32;
+    for (const FlatPair &flat : flat_) {
+        crowds_.count(flat.pair.of, flat.thickness > tolerance_);
+    }
+    for (const FlatPair &flat : flat_) {
+        if (crowds_.are_many() && flat.thickness > thick_to_lie * tolerance_ &&
+            crowds_.is_asked_for(flat.pair.of)) {
+            crowds_.tell(flat.pair.of, lies_on(flat.pair));
+        }
+    }
+    crowds_.settle();
+    for (const auto &[pair, first, thickness] : flat_) {
+        crowds_.is_crowded(pair.of) ? add(pair) : halve(pair, first);
     }
     flat_.clear();
-    alike_ = 0;
     settle_side_by_side();
 }
 
@@ -124,10 +126,13 @@ void CrossSearch::settle_side_by_side() {
         return std::max(pair.a->length(0) * pair.a->length(1), pair.b->length(0) * pair.b->length(1)) <=
                small_side_by_side;
     };
-    const bool crowded =
-        static_cast<size_t>(std::ranges::count_if(side_by_side_, is_small)) > most_side_by_side;
+    std::vector<Pair> small;
+    std::ranges::copy_if(side_by_side_, std::back_inserter(small), is_small);
+    const std::vector<size_t> counts = crowds_.counts_of(small);
+    const size_t most =
+        small.size() <= most_side_by_side ? small.size() : CrossCrowds::share_of(most_side_by_side, counts);
     for (const Pair &pair : side_by_side_) {
-        crowded &&is_small(pair) ? add(pair) : halve_both(pair);
+        is_small(pair) && counts[pair.of] > most ? add(pair) : halve_both(pair);
     }
     side_by_side_.clear();
 }
@@ -152,7 +157,8 @@ void CrossSearch::look_at(PairCell &a, PairCell &b) {
         }
     }
     if (is_positive(a) && is_positive(b)) {
-        pairs_.push_back({&a_.root(a), &b_.root(b), false});
+        CrossCell &root_a = a_.root(a), &root_b = b_.root(b);
+        pairs_.push_back({&root_a, &root_b, crowds_.add(root_a.piece(), root_b.piece())});
     } else {
         divide(a, b);
     }
@@ -194,7 +200,7 @@ void CrossSearch::look(Pair pair) {
             count_work(work_of_a_kept_part);
             found_.arcs.push_back(finder_.arc());
         } else if (verdict == ArcFinder::Verdict::open) {
-            halve({pair.a, pair.b, true, pair.no_contact}, box_.chart.first_bends_more());
+            halve({pair.a, pair.b, pair.of, true, pair.no_contact}, box_.chart.first_bends_more());
         }
         return;
     }
@@ -254,18 +260,16 @@ double CrossSearch::thickness(const Pair &pair) const {
     return least;
 }
 
-// Whether the smaller part lies on the larger one, as far as its middle tells; where many do, whether it may.
-bool CrossSearch::are_along(const Pair &pair) {
-    if (!are_parallel(*pair.a, *pair.b, crowded_ ? 0.8 : 0.999)) {
-        return false;
-    }
-    if (crowded_) {
-        return true;
-    }
+// Whether the smaller part lies on the larger one, as far as its middle tells.
+bool CrossSearch::are_along(const Pair &pair) const {
     const bool first = pair.a->size() <= pair.b->size();
-    const bool alike = distance_of_middle(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a) <= tolerance_;
-    alike_ += alike ? 1 : 0;
-    return alike;
+    return are_parallel(*pair.a, *pair.b, 0.999) &&
+           distance_of_middle(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a) <= tolerance_;
+}
+
+bool CrossSearch::lies_on(const Pair &pair) const {
+    const bool first = pair.a->size() <= pair.b->size();
+    return intersect::lies_on(first ? *pair.a : *pair.b, first ? *pair.b : *pair.a, tolerance_);
 }
 
 bool CrossSearch::look_for_contact(Pair &pair) {
@@ -277,7 +281,7 @@ bool CrossSearch::look_for_contact(Pair &pair) {
     switch (contact_.look(*pair.a, *pair.b)) {
     case ContactChart::Verdict::contact:
         count_work(work_of_a_kept_part);
-        found_.contacts.push_back({ranges_of({pair.a, pair.b, {}}), contact_.place(), contact_.change()});
+        found_.contacts.push_back({ranges_of(*pair.a, *pair.b), contact_.place(), contact_.change()});
         return true;
     case ContactChart::Verdict::apart:
         pair.no_contact = true;
@@ -299,8 +303,13 @@ void CrossSearch::look_at_flat(Pair pair) {
         if (!pair.graph && !are_side_by_side(*pair.a, *pair.b)) {
             add(pair);
         }
-    } else if (thickness <= tolerance_ || are_along(pair)) {
-        flat_.push_back({pair, first});
+        return;
+    }
+    const bool thin = thickness <= tolerance_, crowded = crowds_.is_crowded(pair.of);
+    if (crowded && (thin || are_parallel(*pair.a, *pair.b, 0.8))) {
+        add(pair);
+    } else if (thin || are_along(pair)) {
+        flat_.push_back({pair, first, thickness});
     } else {
         halve(pair, first);
     }
@@ -314,8 +323,8 @@ void CrossSearch::halve(const Pair &pair, bool first) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
         if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
             for (size_t end = 0; end < 2; ++end) {
-                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.graph,
-                                 pair.no_contact});
+                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.of,
+                                 pair.graph, pair.no_contact});
             }
             return;
         }
@@ -343,38 +352,24 @@ void CrossSearch::halve_both(const Pair &pair) {
     for (CrossCell *a : of_a) {
         for (CrossCell *b : of_b) {
             if (a != nullptr && b != nullptr) {
-                next_.push_back({a, b});
+                next_.push_back({a, b, pair.of});
             }
         }
     }
 }
 
-namespace {
-
-void set_ranges(const CrossCell &cell, Interval *ranges) noexcept {
-    for (size_t k = 0; k < 2; ++k) {
-        const double lower = cell.piece().range[k].lower, upper = cell.piece().range[k].upper;
-        const auto parameter = [&](double place) {
-            return place == 1 ? upper : std::clamp(lower * (1 - place) + upper * place, lower, upper);
-        };
-        ranges[k] = {parameter(cell.lower(k)), parameter(cell.lower(k) + cell.length(k))};
-    }
+std::array<Interval, 4> ranges_of(const CrossCell &a, const CrossCell &b) noexcept {
+    const std::array<Interval, 2> of_a = a.ranges(), of_b = b.ranges();
+    return {of_a[0], of_a[1], of_b[0], of_b[1]};
 }
 
-} // namespace
-
 std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept {
-    std::array<Interval, 4> ranges;
-    set_ranges(*box.a, ranges.data());
-    set_ranges(*box.b, ranges.data() + 2);
-    return ranges;
+    return ranges_of(*box.a, *box.b);
 }
 
 void CrossSearch::add(const Pair &pair) {
     count_work(work_of_a_kept_part);
-    CrossCluster &cluster = found_.clusters.emplace_back();
-    set_ranges(*pair.a, cluster.ranges.data());
-    set_ranges(*pair.b, cluster.ranges.data() + 2);
+    found_.clusters.push_back({ranges_of(*pair.a, *pair.b)});
 }
 
 // Of groups of pieces all of the surface.

@@ -4,6 +4,7 @@
 
 #include "intersect/surfaces/contact/contact_chart.h"
 #include "intersect/surfaces/cross_arc.h"
+#include "intersect/surfaces/cross_crowds.h"
 #include "intersect/surfaces/cross_side.h"
 #include "intersect/surfaces/self/self_pairs.h"
 
@@ -31,6 +32,7 @@ struct CrossParts {
 };
 
 // Parameters of both parts.
+std::array<Interval, 4> ranges_of(const CrossCell &a, const CrossCell &b) noexcept;
 std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept;
 
 // Pairs of pieces whose boxes have common points, then pairs of their parts, all of one size before smaller ones: a pair is
@@ -58,6 +60,7 @@ private:
     // no_contact: of a pair that does not touch where it is nearest.
     struct Pair {
         CrossCell *a, *b;
+        CrossCrowds::Number of; // the pieces
         bool graph = false;
         bool no_contact = false;
     };
@@ -72,7 +75,9 @@ private:
     void halve(const Pair &pair, bool first);
     void look_at_flat(Pair pair);
     bool look_for_contact(Pair &pair);
-    bool are_along(const Pair &pair);
+    [[nodiscard]] bool are_along(const Pair &pair) const;
+    [[nodiscard]] bool lies_on(const Pair &pair) const;
+    void give_up_crowds();
     void settle_crowds();
     void settle_side_by_side();
     void add(const Pair &pair);
@@ -85,13 +90,13 @@ private:
     std::vector<std::pair<PairCell *, PairCell *>> stack_;
     struct FlatPair {
         Pair pair;
-        bool first; // which of both is halved
+        bool first;       // which of both is halved
+        double thickness; // if more than the tolerance, one lies on the other one, as far as its middle tells
     };
     std::vector<Pair> pairs_, next_;
     std::vector<FlatPair> flat_;
     std::vector<Pair> side_by_side_; // parts of one surface
-    size_t alike_ = 0;               // pairs of this size of which one lies on the other
-    bool crowded_ = false;
+    CrossCrowds crowds_;
     ContactSolver solver_;
     ContactChart contact_;
     ArcFinder finder_;

@@ -16,6 +16,8 @@ namespace nrb::intersect {
 
 namespace {
 
+constexpr int64_t work_of_a_point = 300000; // a net may touch in each of its pieces
+
 std::array<int, 2> degrees_of(const Spline &surface) noexcept {
     return {surface.axis(0).degree(), surface.axis(1).degree()};
 }
@@ -63,7 +65,7 @@ std::array<std::optional<Interval>, 2> periodic_axes_of(const Spline &surface) {
 }
 
 Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, Regions regions) {
-    const UsualLimit usual(usual_work(a.point_count() + b.point_count()));
+    const UsualLimit usual(usual_work(a.point_count() + b.point_count(), work_of_a_point));
     const LimitedSearch limited;
     const pieces::PieceGrid &grid_a = pieces::piece_grid_of(a), &grid_b = pieces::piece_grid_of(b);
     const SurfaceBorders borders_a(grid_a), borders_b(grid_b);
@@ -95,7 +97,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
 }
 
 Meet surface_self_intersections(const Spline &g, double tolerance) {
-    const UsualLimit usual(usual_work(g.point_count()));
+    const UsualLimit usual(usual_work(g.point_count(), work_of_a_point));
     const LimitedSearch limited;
     const pieces::PieceGrid &grid = pieces::piece_grid_of(g);
     const SurfaceBorders borders(grid);

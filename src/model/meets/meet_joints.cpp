@@ -33,6 +33,10 @@ Vector3 point_of(const face::Face &face, const face::Point2 &at) {
     return {x[0], x[1], x[2]};
 }
 
+double coordinate(const Vector3 &x, size_t c) noexcept {
+    return c == 0 ? x.x : c == 1 ? x.y : x.z;
+}
+
 // Of a curve of a loop, a little to either side of a parameter.
 Vector3 way_along(const face::Face &face, const Spline &curve, double param) {
     const Interval domain = curve.axis(0).domain();
@@ -124,14 +128,43 @@ void MeetJoints::add_matches() {
         }
     }
     for (const auto &[edge, ends] : on_edges) {
-        for (const size_t from : ends) {
-            for (const size_t to : ends) {
-                if (!ends_[from].begins && ends_[to].begins && fit(ends_[from], ends_[to])) {
-                    matches_.push_back({length(ends_[from].point - ends_[to].point), from, to});
-                }
-            }
-            count_work(8 * std::ssize(ends));
+        match_on_edge(ends);
+    }
+}
+
+// Beginnings in the order of the coordinate along which they are farthest apart: those that fit an end are near it.
+void MeetJoints::match_on_edge(const std::vector<size_t> &ends) {
+    std::vector<size_t> begins;
+    double most_room = 0;
+    std::array<Interval, 3> extents;
+    extents.fill({infinity, -infinity});
+    for (const size_t i : ends) {
+        const Vector3 &x = ends_[i].point;
+        most_room = std::max(most_room, ends_[i].room);
+        for (size_t c = 0; c < 3; ++c) {
+            const double at = coordinate(x, c);
+            extents[c] = {std::min(extents[c].lower, at), std::max(extents[c].upper, at)};
         }
+        if (ends_[i].begins) {
+            begins.push_back(i);
+        }
+    }
+    const auto longest =
+        std::ranges::max_element(extents, {}, [](const Interval &x) { return x.upper - x.lower; });
+    const auto along = static_cast<size_t>(longest - extents.begin());
+    const auto key = [&](size_t i) { return coordinate(ends_[i].point, along); };
+    std::ranges::sort(begins, {}, [&](size_t i) { return std::pair(key(i), i); });
+    for (const size_t from : ends) {
+        const double room = (ends_[from].room + most_room) / least_sine;
+        auto to =
+            ends_[from].begins ? begins.end() : std::ranges::lower_bound(begins, key(from) - room, {}, key);
+        for (; to != begins.end() && key(*to) <= key(from) + room; ++to) {
+            count_work(8);
+            if (fit(ends_[from], ends_[*to])) {
+                matches_.push_back({length(ends_[from].point - ends_[*to].point), from, *to});
+            }
+        }
+        count_work(8);
     }
 }
 

@@ -53,6 +53,7 @@ private:
     void add_end(size_t branch, bool begins);
     [[nodiscard]] std::vector<Border> borders_at(size_t model, size_t place, const intersect::MeetNode &node);
     void add_matches();
+    void match_on_edge(const std::vector<size_t> &ends);
     void join(const Match &match);
     void tell_open_ends();
     [[nodiscard]] bool is_common_edge(size_t branch) const;

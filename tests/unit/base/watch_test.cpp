@@ -8,6 +8,8 @@
 #include <chrono>
 #include <functional>
 #include <gtest/gtest.h>
+
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -217,6 +219,30 @@ TEST(Watch, half_of_the_work_leaves_the_other_half) {
                      [] {
                          const HalfOfWork half; // of no limit
                          count_work(1000000);
+                     }),
+              Status::ok);
+}
+
+TEST(Watch, what_is_left_of_the_work_is_known) {
+    static constexpr int64_t any_work = int64_t{1} << 60;
+    EXPECT_GT(work_left(), any_work); // nobody watches
+    EXPECT_EQ(end_of({0, nullptr, nullptr},
+                     [] {
+                         const HalfOfWork half;
+                         count_work(1000);
+                         EXPECT_GT(work_left(), any_work);
+                     }),
+              Status::ok);
+    EXPECT_EQ(end_of({100, nullptr, nullptr},
+                     [] {
+                         EXPECT_EQ(work_left(), 100);
+                         const LimitedSearch search;
+                         const HalfOfWork half;
+                         EXPECT_EQ(work_left(), 50);
+                         count_work(30);
+                         EXPECT_EQ(work_left(), 20);
+                         count_work(1000);
+                         EXPECT_EQ(work_left(), 0);
                      }),
               Status::ok);
 }

@@ -66,6 +66,7 @@ private:
             ways_.back().arcs += chain.arcs.size();
             for (const size_t arc : chain.arcs) {
                 way_of_arc_[arc] = ways_.size();
+                numbers_[spot_of(found_.arcs[arc], found_.arcs[arc].ends[0]).index].push_back(arc);
             }
             const int64_t end = chain.nodes[1];
             goes_on_at = end < 0 ? -1 : chains_.nodes[static_cast<size_t>(end)].next;
@@ -80,9 +81,13 @@ private:
             *std::ranges::max_element(chains, {}, [](const CrossChain &chain) { return chain.arcs.size(); });
         const CrossArc &middle = found_.arcs[longest.arcs[longest.arcs.size() / 2]];
         const std::optional<CrossSpot> spot = middle_of(middle);
-        for (size_t arc = 0; spot && arc < found_.arcs.size(); ++arc) {
+        if (!spot) {
+            return ways_.size();
+        }
+        const CrossSpot other = mirrored(*spot);
+        for (const size_t arc : places_.near(other.index, numbers_)) {
             count_work(20);
-            if (way_of_arc_[arc] > 0 && is_on(found_.arcs[arc], mirrored(*spot))) {
+            if (is_on(found_.arcs[arc], other)) {
                 return way_of_arc_[arc] - 1;
             }
         }
@@ -99,7 +104,7 @@ private:
     }
     [[nodiscard]] bool is_on(const CrossArc &arc, const CrossSpot &spot) const {
         CrossPlace z{};
-        if (!places_.are_near(spot, spot_of(arc, arc.ends[0])) || !places_.is_zero_of(arc, spot, z)) {
+        if (!places_.is_zero_of(arc, spot, z)) {
             return false;
         }
         const size_t k = arc.box.chart.axis();
@@ -131,6 +136,7 @@ private:
     CrossChains &chains_;
     std::vector<Way> ways_;
     std::vector<size_t> way_of_arc_; // from 1 on; 0: in none
+    NumbersOfPieces numbers_;        // of arcs in ways
 };
 
 ContactPoint mirrored(const ContactPoint &point) noexcept {
