@@ -8862,7 +8862,7 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * face. A point has several vertices where faces meet, along seams, at poles, and along lines where the surface
  * may have a crease: knots of full multiplicity. Triangles are of vertices, of which normals and parameters can
  * be interpolated, or, welded, of points: then two triangles at an edge of the shape have a side in common, and
- * no other triangle has it. No triangle has two corners at one point.
+ * no other triangle has it. No triangle has the index of a point twice.
  *
  * **Both distances are proven**: no point of the shape is farther from the mesh than `from_shape`, and no
  * point of the triangles farther from the shape than `from_mesh`. Where the surface is far from a triangle
@@ -8902,7 +8902,8 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
  * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
- * given there is one of about two million triangles, and more for many control points.
+ * given there is one of about two million triangles of surfaces, of fewer where many of them are between edges, and
+ * more for many control points.
  *
  * Costs: about two microseconds and 250 bytes for a triangle.
  * \param[in] g a surface of dimension 2 or 3.
