@@ -186,7 +186,7 @@ private:
         loop.area = area_of(loop.polygon);
     }
 
-    void add_to(OverlapRegion &region, const Loop &loop) const {
+    static void add_to(OverlapRegion &region, const Loop &loop) {
         region.loops.push_back(loop.edges);
         region.polygons.push_back(loop.polygon);
     }

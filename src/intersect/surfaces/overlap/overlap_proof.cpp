@@ -88,7 +88,7 @@ void OverlapProof::add_edge_parts(const SegmentPlaces &on) {
     add_edge_parts(second);
 }
 
-std::array<double, 2> OverlapProof::parameters(const Part &part, double u, double v) const noexcept {
+std::array<double, 2> OverlapProof::parameters(const Part &part, double u, double v) noexcept {
     const std::array<double, 2> at{u, v};
     std::array<double, 2> result{};
     for (size_t k = 0; k < 2; ++k) {

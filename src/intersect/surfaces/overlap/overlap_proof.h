@@ -40,7 +40,7 @@ private:
 
     using SegmentPlaces = std::array<std::array<std::array<double, 2>, 4>, 2>; // control points on both
     void add_edge_parts(const SegmentPlaces &on);
-    [[nodiscard]] std::array<double, 2> parameters(const Part &part, double u, double v) const noexcept;
+    [[nodiscard]] static std::array<double, 2> parameters(const Part &part, double u, double v) noexcept;
     State look(const Part &part);
     State look_along(const Part &part, const std::array<double, 2> &beside, bool inside);
     bool lies_along(const Part &part, const CrossPiece &other, const std::array<double, 2> &start);

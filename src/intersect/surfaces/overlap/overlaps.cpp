@@ -49,11 +49,13 @@ std::optional<CrossPlace> place_inside(const OverlapGround &ground, const Overla
         }
         return inside ? place_at(at) : std::nullopt;
     };
-    for (double step = wraps ? 0x1p-5 : 0.5; step > 0x1p-24; step *= wraps ? 0.5 : 0.77) {
+    double step = wraps ? 0x1p-5 : 0.5;
+    while (step > 0x1p-24) {
         if (const auto place = place_off(step)) { // which may be on the other side of the region
             const auto half = place_off(step / 2);
             return half ? half : place;
         }
+        step *= wraps ? 0.5 : 0.77;
     }
     return std::nullopt;
 }
