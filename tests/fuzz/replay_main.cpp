@@ -144,9 +144,9 @@ void run_with_mutations(const Bytes &bytes, int64_t part, Random &random) {
     }
 }
 
-void run_noise(Random &random) {
+void run_noise(int64_t part, Random &random) {
     const auto largest = static_cast<size_t>(support::scaled(1000));
-    for (size_t size = 0; size < largest; ++size) {
+    for (size_t size = 0; size < largest; size += static_cast<size_t>(part)) {
         Bytes noise(size);
         std::generate(noise.begin(), noise.end(), [&] { return random.byte(); });
         run(noise);
@@ -174,7 +174,7 @@ Bytes contents(const std::filesystem::path &path) {
 int main(int argc, char **argv) {
     const int64_t part = argc == 3 ? std::strtoll(argv[2], nullptr, 10) : 1;
     if (argc < 2 || argc > 3 || part < 1) {
-        std::fprintf(stderr, "usage: %s CORPUS_FOLDER_OR_FILE [PART]: 1 / PART of the mutations\n", argv[0]);
+        std::fprintf(stderr, "usage: %s CORPUS_FOLDER_OR_FILE [PART]: 1 / PART of the mutations and of the noise\n", argv[0]);
         return 2;
     }
     watch_for_failures();
@@ -193,7 +193,7 @@ int main(int argc, char **argv) {
         std::fflush(stdout);
         run_with_mutations(contents(file), part, random);
     }
-    run_noise(random);
+    run_noise(part, random);
     std::printf("%zu files replayed\n", files.size());
     return files.empty() ? 1 : 0;
 }
