@@ -174,7 +174,9 @@ Bytes contents(const std::filesystem::path &path) {
 int main(int argc, char **argv) {
     const int64_t part = argc == 3 ? std::strtoll(argv[2], nullptr, 10) : 1;
     if (argc < 2 || argc > 3 || part < 1) {
-        std::fprintf(stderr, "usage: %s CORPUS_FOLDER_OR_FILE [PART]: 1 / PART of the mutations and of the noise\n", argv[0]);
+        std::fprintf(stderr,
+                     "usage: %s CORPUS_FOLDER_OR_FILE [PART]: 1 / PART of the mutations and of the noise\n",
+                     argv[0]);
         return 2;
     }
     watch_for_failures();
