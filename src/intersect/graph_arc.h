@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -30,6 +29,16 @@ enum class GraphVerdict {
     arc,     // one
     open,    // the box is too large to tell
 };
+
+// The zero at a share of the way from one to another; none: it is not found.
+template <size_t N, class Box>
+std::optional<Place<N>> zero_between(const Box &box, const Place<N> &from, const Place<N> &to, double share) {
+    Place<N> at{};
+    for (size_t i = 0; i < N; ++i) {
+        at[i] = (1 - share) * from[i] + share * to[i];
+    }
+    return box.solve(box.chart.axis(), at) ? std::optional(at) : std::nullopt;
+}
 
 // As zeros are a graph whose differences have known signs, one place of the box at a zero, and the two where the curve through
 // it leaves the box, are all that has to be found. Box has
@@ -289,14 +298,10 @@ private:
         if (beyond(side == 1 ? range.lower : range.upper)) {
             return true;
         }
-        At middle{};
-        for (size_t i = 0; i < N; ++i) {
-            middle[i] = std::midpoint(first[i], last[i]);
-        }
-        return --zeros_left >= 0 && beyond(first[coordinate]) && beyond(last[coordinate]) &&
-               box_->solve(box_->chart.axis(), middle) &&
-               lies_beyond(coordinate, side, place, first, middle, zeros_left) &&
-               lies_beyond(coordinate, side, place, middle, last, zeros_left);
+        const bool goes_on = --zeros_left >= 0 && beyond(first[coordinate]) && beyond(last[coordinate]);
+        const auto middle = goes_on ? zero_between<N>(*box_, first, last, 0.5) : std::nullopt;
+        return middle && lies_beyond(coordinate, side, place, first, *middle, zeros_left) &&
+               lies_beyond(coordinate, side, place, *middle, last, zeros_left);
     }
 
     // Both ends, and inside_ or what divides the way between them.
@@ -309,13 +314,8 @@ private:
         const At first = zeros_[0], last = zeros_[1];
         zeros_.pop_back();
         for (int i = 1; i < parts; ++i) {
-            const double share = static_cast<double>(i) / parts;
-            At z{};
-            for (size_t c = 0; c < N; ++c) {
-                z[c] = (1 - share) * first[c] + share * last[c];
-            }
-            if (box_->solve(k, z)) {
-                zeros_.push_back(z);
+            if (const auto z = zero_between<N>(*box_, first, last, static_cast<double>(i) / parts)) {
+                zeros_.push_back(*z);
             }
         }
         if (parts <= 1) {

@@ -59,7 +59,6 @@ std::optional<PlaneChart> PlaneChart::of(const Spline &surface) {
     double off = 0, largest = 0;
     for (size_t c = 0; c < dim; ++c) {
         const auto p = [&](int64_t i) { return surface.coordinate(i, static_cast<int>(c)); };
-        chart.corner_.push_back(p(0));
         chart.by_u_.push_back((p(2) - p(0)) / (u[2] - u[1]));
         chart.by_v_.push_back((p(1) - p(0)) / (v[2] - v[1]));
         off = std::max(off, std::abs((p(3) - p(2)) - (p(1) - p(0))));
@@ -87,17 +86,17 @@ std::optional<PlaneChart> PlaneChart::of(const Spline &surface) {
 
 Point2 PlaneChart::place(const double *point) const noexcept {
     double u = 0, v = 0;
-    for (size_t c = 0; c < corner_.size(); ++c) {
-        u += to_u_[c] * (point[c] - corner_[c]);
-        v += to_v_[c] * (point[c] - corner_[c]);
+    for (size_t c = 0; c < by_u_.size(); ++c) {
+        u += to_u_[c] * (point[c] - corners_[c]);
+        v += to_v_[c] * (point[c] - corners_[c]);
     }
     return {origin_[0] + u, origin_[1] + v};
 }
 
 double PlaneChart::distance_of(const double *point, const Point2 &place) const noexcept {
-    return norm_of(static_cast<int>(corner_.size()), [&](int k) {
+    return norm_of(static_cast<int>(by_u_.size()), [&](int k) {
         const auto c = static_cast<size_t>(k);
-        return point[c] - corner_[c] - by_u_[c] * (place[0] - origin_[0]) -
+        return point[c] - corners_[c] - by_u_[c] * (place[0] - origin_[0]) -
                by_v_[c] * (place[1] - origin_[1]);
     });
 }
@@ -119,7 +118,7 @@ MadeCurve PlaneChart::curve_under(const Spline &edge, double tolerance) const {
 }
 
 SplinePtr PlaneChart::edge_over(const Spline &curve) const {
-    const size_t dim = corner_.size();
+    const size_t dim = by_u_.size();
     std::vector<double> points;
     for (int64_t i = 0; i < curve.point_count(); ++i) {
         Point2 share{};

@@ -28,10 +28,10 @@ private:
     [[nodiscard]] Point2 place(const double *point) const noexcept;
     [[nodiscard]] double distance_of(const double *point, const Point2 &place) const noexcept;
 
-    std::vector<double> corners_;              // all four, v first
-    Point2 origin_{}, far_{};                  // places of the first and the last of them
-    std::vector<double> corner_, by_u_, by_v_; // the first, and what a unit of each parameter adds
-    std::vector<double> to_u_, to_v_;          // the rows of the inverse
+    std::vector<double> corners_;     // all four, v first
+    Point2 origin_{}, far_{};         // places of the first and the last of them
+    std::vector<double> by_u_, by_v_; // what a unit of each parameter adds
+    std::vector<double> to_u_, to_v_; // the rows of the inverse
 };
 
 } // namespace nrb::face

@@ -219,11 +219,8 @@ void CrossFitter::divide(const Node &a, const Node &b, double deviation, int dep
                          std::vector<CrossSegment> &segments) {
     const Division division = division_for(deviation, tolerance_);
     const auto between = [&](double share) {
-        CrossPlace at{};
-        for (size_t c = 0; c < at.size(); ++c) {
-            at[c] = a.at[c] + share * (b.at[c] - a.at[c]);
-        }
-        return arc_->box.solve(arc_->box.chart.axis(), at) ? std::optional(node(at)) : std::nullopt;
+        const auto at = zero_between<4>(arc_->box, a.at, b.at, share);
+        return at ? std::optional(node(*at)) : std::nullopt;
     };
     for_each_part(a, b, division.parts, between, [&](const Node &from, const Node &to) {
         fit_between(from, to, depth + division.depth, segments);
