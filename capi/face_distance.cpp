@@ -27,7 +27,7 @@ face::FaceDistance farthest(const face::Face &from, const face::Face &to, double
 
 // With half of the work that the caller allows, so that the other way is not left without.
 face::FaceDistance farthest_with_half(const face::Face &from, const face::Face &to, double tolerance) {
-    const HalfOfWork half;
+    const PartOfWork half;
     return farthest(from, to, tolerance);
 }
 

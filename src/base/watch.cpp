@@ -176,6 +176,11 @@ bool work_ended() noexcept {
     return watch_of_thread != nullptr && watch_of_thread->ended();
 }
 
+bool work_is_limited() noexcept {
+    const Watch *const watch = Watch::current();
+    return watch != nullptr && watch->limit_ < std::numeric_limits<int64_t>::max();
+}
+
 int64_t work_left() noexcept {
     Watch *const watch = Watch::current();
     if (watch == nullptr) {
@@ -193,7 +198,7 @@ void require_work() {
 }
 
 void end_for_work() {
-    if (watch_of_thread != nullptr && watch_of_thread->limit_ < std::numeric_limits<int64_t>::max()) {
+    if (work_is_limited()) {
         watch_of_thread->end();
     }
 }
@@ -220,17 +225,20 @@ UsualLimit::~UsualLimit() {
     }
 }
 
-HalfOfWork::HalfOfWork() noexcept : watch_(Watch::current()) {
+PartOfWork::PartOfWork(double share) noexcept : watch_(Watch::current()) {
     if (watch_ != nullptr) {
         watch_->settle();
         ended_ = watch_->ended_;
         limit_ = watch_->limit_;
-        watch_->limit_ -= std::max<int64_t>(0, limit_ - watch_->counted_) / 2;
+        if (work_is_limited()) {
+            const auto left = static_cast<double>(std::max<int64_t>(0, limit_ - watch_->counted_));
+            watch_->limit_ -= static_cast<int64_t>((1 - share) * left);
+        }
         watch_->grant();
     }
 }
 
-HalfOfWork::~HalfOfWork() {
+PartOfWork::~PartOfWork() {
     if (watch_ != nullptr) {
         watch_->settle();
         watch_->limit_ = limit_;

@@ -54,11 +54,12 @@ private:
     friend class Phase;
     friend class SearchSteps;
     friend class LimitedSearch;
-    friend class HalfOfWork;
+    friend class PartOfWork;
     friend class NotCounted;
     friend class NeededWork;
     friend class UsualLimit;
     friend int64_t work_left() noexcept;
+    friend bool work_is_limited() noexcept;
     friend void require_work();
     friend void end_for_work();
     using Clock = std::chrono::steady_clock;
@@ -199,6 +200,7 @@ private:
 [[nodiscard]] bool work_ended() noexcept;
 // What is left of it; without a limit more than any work.
 [[nodiscard]] int64_t work_left() noexcept;
+[[nodiscard]] bool work_is_limited() noexcept;
 // Throws as Watch::count() does if a limited search has come to the limit of work: for those to whom half an answer is none.
 void require_work();
 // The same where a part of the work, such as its half, has ended; without a limit it does nothing.
@@ -219,13 +221,13 @@ private:
     int64_t limit_ = 0;        // before
 };
 
-// While this exists, half of the work that is left is all there is: what was found by then is finished with the rest.
-class HalfOfWork {
+// While this exists, a share of the work that is left is all there is: what was found by then is finished with the rest.
+class PartOfWork {
 public:
-    HalfOfWork() noexcept;
-    ~HalfOfWork();
-    HalfOfWork(const HalfOfWork &) = delete;
-    HalfOfWork &operator=(const HalfOfWork &) = delete;
+    explicit PartOfWork(double share = 0.5) noexcept;
+    ~PartOfWork();
+    PartOfWork(const PartOfWork &) = delete;
+    PartOfWork &operator=(const PartOfWork &) = delete;
 
 private:
     Watch *watch_;

@@ -59,4 +59,13 @@ std::vector<Point2> places_inside(const Face &face) {
     return result;
 }
 
+bool is_outside(const Face &face, const Point2 &lower, const Point2 &upper) {
+    const Point2 middle{lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
+    const auto is_cut = [&](const Point2 &move) {
+        return face.trims().cuts(moved(lower, move), moved(upper, move));
+    };
+    return face.trims().side(face.covering().in_domain(middle)) < 0 && !is_cut({0, 0}) &&
+           !face.covering().any_move(lower, upper, is_cut);
+}
+
 } // namespace nrb::face

@@ -5,6 +5,7 @@
 #include "base/watch.h"
 #include "eval/curve_point.h"
 #include "face/border_pieces.h"
+#include "face/places_inside.h"
 #include "intersect/pairs/curve_curve.h"
 #include "refine/parts/cut.h"
 
@@ -71,18 +72,9 @@ private:
     [[nodiscard]] bool is_inside(const MeetBranch &branch, double t) const {
         return is_inside(place_on(*curve_of(branch), t));
     }
-    // All over. Where the surface closes the part may be in its copies.
     [[nodiscard]] bool is_outside(const std::array<Interval, 2> &range) const {
-        const Point2 lower{range[0].lower, range[1].lower}, upper{range[0].upper, range[1].upper};
-        if (is_beyond(range)) {
-            return true;
-        }
-        const Point2 middle{lower[0] / 2 + upper[0] / 2, lower[1] / 2 + upper[1] / 2};
-        const auto is_cut = [&](const Point2 &move) {
-            return face_.trims().cuts(moved(lower, move), moved(upper, move));
-        };
-        return face_.trims().side(face_.covering().in_domain(middle)) < 0 && !is_cut({0, 0}) &&
-               !face_.covering().any_move(lower, upper, is_cut);
+        return is_beyond(range) ||
+               face::is_outside(face_, {range[0].lower, range[1].lower}, {range[0].upper, range[1].upper});
     }
     // On the surface of the face.
     [[nodiscard]] const SplinePtr &curve_of(const MeetBranch &branch) const noexcept {

@@ -5,6 +5,7 @@
 #include "mesh/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::mesh {
 
@@ -33,6 +34,14 @@ inline MeshRule settled(MeshRule rule, double extent) {
     if (rule.relative > 0) {
         rule.chord = std::min(rule.chord, rule.relative * extent);
     }
+    return rule;
+}
+
+// About as many cells fewer as distances are larger.
+inline MeshRule coarsened(MeshRule rule, double factor) noexcept {
+    rule.chord *= factor;
+    rule.longest *= std::sqrt(factor);
+    rule.angle *= std::sqrt(factor);
     return rule;
 }
 

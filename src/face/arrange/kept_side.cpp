@@ -21,22 +21,11 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// Whether a part of the domain, which may run over its end where the surface closes, has something of the face.
-bool meets(const Face &face, const Point2 &lower, const Point2 &upper) {
-    const Covering &covering = face.covering();
-    const auto inside = [&](const Point2 &move) {
-        const Point2 low = moved(lower, move), high = moved(upper, move);
-        const Point2 middle{low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2};
-        return face.trims().side(covering.in_domain(middle)) >= 0 || face.trims().cuts(low, high);
-    };
-    return inside({0, 0}) || covering.any_move(lower, upper, inside);
-}
-
 void check_decided(const Face &face, const intersect::Meet &meet) {
     for (const intersect::MeetNode &node : meet.nodes) {
         const auto &[u, v] = node.range;
         if (node.kind == intersect::NodeKind::undecided &&
-            meets(face, {u.lower, v.lower}, {u.upper, v.upper})) {
+            !is_outside(face, {u.lower, v.lower}, {u.upper, v.upper})) {
             if (meet.limited) {
                 end_for_work();
             }

@@ -270,7 +270,7 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
         }
     };
     if (has_few_knots(*g)) { // pieces that meet less smoothly than the result would
-        const HalfOfWork half;
+        const PartOfWork half;
         search(max_degree);
         limit = meets(found, tolerance) ? std::min(limit, found.spline->point_count()) : limit;
     }

@@ -81,7 +81,7 @@ public:
     // Where the limit of work ends the search, all data are fitted once over the best knots that it met, if that takes no longer.
     ToleranceFit fit(double seconds_for_one) {
         {
-            const HalfOfWork half;
+            const PartOfWork half;
             (void)attempted([&] { search(); });
         }
         if (best_.rounds == 0) {

@@ -36,7 +36,7 @@ public:
 
     // Where the limit of work ends the descent, the other half of it is left for proofs.
     void run() {
-        const HalfOfWork half;
+        const PartOfWork half;
         converged_ = attempted([&] { descend(); }) && converged_;
         lambda_ = is_met() ? 0 : lambda_; // the sum is that for any
     }

@@ -71,7 +71,7 @@ private:
     }
 
     void find_parts() {
-        const HalfOfWork half;
+        const PartOfWork half;
         found_ = search_.run(tolerance_);
         meet_.limited = work_ended();
         std::erase_if(found_.arcs, [&](const FeetArc &arc) { return is_at_pole(arc); });

@@ -24,7 +24,7 @@ std::array<int, 2> degrees_of(const Spline &surface) noexcept {
 
 // Curves are made of the other half of the work. limited: whether this one ended.
 CrossParts parts_of(CrossSearch &search, double tolerance, bool &limited) {
-    const HalfOfWork half;
+    const PartOfWork half;
     CrossParts found = search.run(tolerance);
     limited = work_ended();
     return found;
@@ -79,7 +79,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
     const CrossTouch touch(search.ground(0), search.ground(1), in_frame);
     std::optional<Overlaps> overlaps;
     if (regions == Regions::told && is_left_open(cross_groups(on_a, on_b, touch, found.clusters))) {
-        const HalfOfWork half;
+        const PartOfWork half;
         overlaps = find_overlaps(OverlapGround(a, b, search.frame(), search.solver()), tracer, tolerance,
                                  in_frame, found);
         meet.limited = meet.limited || work_ended();

@@ -21,6 +21,34 @@ constexpr int most_polyline_rounds = 12;
 // Which lies on a curve under it.
 constexpr int64_t work_of_a_vertex = 1000;
 
+// Of the distance of a segment: where its halves are as far, the edge itself is off the face.
+constexpr double no_better = 0.9;
+
+// A polyline, and how far each segment is from what faces have under it.
+struct Segments {
+    std::vector<double> params{}, distances{};
+
+    // Of the segment that holds a place.
+    [[nodiscard]] double distance_at(double t) const noexcept {
+        const auto after = std::ranges::upper_bound(params, t);
+        return distances.empty() ? infinity : distances[static_cast<size_t>(after - params.begin() - 1)];
+    }
+};
+
+// In the middle of segments that are far, unless those that they are parts of were no farther.
+std::vector<double> places_to_add(const Segments &now, const Segments &before, double chord) {
+    std::vector<double> result;
+    for (size_t i = 0; i < now.distances.size(); ++i) {
+        const double middle = now.params[i] / 2 + now.params[i + 1] / 2;
+        const bool far =
+            now.distances[i] > chord && now.distances[i] <= no_better * before.distance_at(middle);
+        if (far && middle > now.params[i] && middle < now.params[i + 1]) {
+            result.push_back(middle);
+        }
+    }
+    return result;
+}
+
 // Whether a vertex would be where one end of a segment is, but for rounding: two faces ask for one place of their edge.
 bool is_beside(double param, Interval segment) noexcept {
     const double room = 0x1p-20 * (segment.upper - segment.lower);
@@ -53,27 +81,16 @@ int64_t ModelEdges::line_behind(int64_t face, int32_t loop, int32_t index) const
     return static_cast<int64_t>(uses_[*uses_.behind(face, loop, index)].line);
 }
 
-// In the middle of segments that are far from what a face has under them.
-std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<double> &params,
-                                              double chord) const {
-    std::vector<bool> far(params.size(), false);
-    std::vector<double> on_curve(params.size());
+// From each segment of a polyline to what faces have under it.
+std::vector<double> ModelEdges::distances_of(size_t line, const std::vector<double> &params) const {
+    std::vector<double> result(params.size() - 1, 0.0), on_curve(params.size());
     for (const size_t at : uses_.users(line)) {
         const EdgeUse &use = uses_[at];
         std::ranges::transform(params, on_curve.begin(), [&](double t) { return use.pairing->on_curve(t); });
-        const std::vector<double> distances =
-            distances_under(uses_.face_of(use), uses_.curve_of(use), on_curve);
-        for (size_t i = 0; i < distances.size(); ++i) {
-            far[i] = far[i] || distances[i] > chord;
-        }
+        const std::vector<double> own = distances_under(uses_.face_of(use), uses_.curve_of(use), on_curve);
+        std::ranges::transform(result, own, result.begin(),
+                               [](double x, double y) { return std::max(x, y); });
         count_work(std::ssize(params) << 10);
-    }
-    std::vector<double> result;
-    for (size_t i = 0; i + 1 < params.size(); ++i) {
-        const double middle = params[i] / 2 + params[i + 1] / 2;
-        if (far[i] && middle > params[i] && middle < params[i + 1]) {
-            result.push_back(middle);
-        }
     }
     return result;
 }
@@ -81,12 +98,15 @@ std::vector<double> ModelEdges::places_to_add(size_t line, const std::vector<dou
 void ModelEdges::make_line(size_t line, const PolylineRule &rule) {
     std::vector<double> fixed = uses_.fixed_params(line);
     Polyline polyline = polyline_of(uses_.curve(line), rule, fixed);
+    Segments before;
     for (int round = 0; round < most_polyline_rounds && std::isfinite(rule.chord) && !work_ended(); ++round) {
-        const std::vector<double> more = places_to_add(line, polyline.params, rule.chord);
+        Segments now{polyline.params, distances_of(line, polyline.params)};
+        const std::vector<double> more = places_to_add(now, before, rule.chord);
         if (more.empty()) {
             break;
         }
-        fixed = polyline.params;
+        before = std::move(now);
+        fixed = before.params;
         fixed.insert(fixed.end(), more.begin(), more.end());
         std::ranges::sort(fixed);
         fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());

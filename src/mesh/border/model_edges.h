@@ -60,8 +60,7 @@ public:
 
 private:
     void make_line(size_t line, const PolylineRule &rule);
-    [[nodiscard]] std::vector<double> places_to_add(size_t line, const std::vector<double> &params,
-                                                    double chord) const;
+    [[nodiscard]] std::vector<double> distances_of(size_t line, const std::vector<double> &params) const;
     void set_points(size_t line, const Polyline &polyline);
     int32_t end_of_line(size_t line, bool upper, const Vector3 &x);
     int32_t corner(int64_t number, const Vector3 &x);

@@ -75,7 +75,7 @@ int32_t CellTree::Builder::add_line(size_t k, double t, bool from_left) {
 }
 
 double CellTree::Builder::build() {
-    const HalfOfWork half;
+    const PartOfWork half;
     set_blocks();
     const int64_t across = std::ssize(tree_.blocks_[1]) - 1,
                   count = (std::ssize(tree_.blocks_[0]) - 1) * across;

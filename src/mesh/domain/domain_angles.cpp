@@ -94,7 +94,7 @@ bool DomainMesher::keep_least_angle() {
     if (!(rule_.least_angle > 0)) {
         return true;
     }
-    std::optional<HalfOfWork> half;
+    std::optional<PartOfWork> half;
     if (domain_.change_border) {
         half.emplace();
     }

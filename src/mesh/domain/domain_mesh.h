@@ -13,9 +13,10 @@ namespace nrb::mesh {
 
 // What a mesh wants of the border.
 struct BorderWish {
-    // Segments of the border at which triangles are too far off, or that cross others, and into how many parts they
-    // are best divided.
+    // Segments of the border at which triangles are too far off, and into how many parts they are best divided.
     std::vector<std::pair<int32_t, int>> weak{};
+    // Segments that cross others.
+    std::vector<int32_t> crossed{};
     // Segments of the border that go through other places, and where: shares of them.
     std::vector<std::pair<int32_t, double>> touched{};
     // Points of the border that are one: the first stands for the second.

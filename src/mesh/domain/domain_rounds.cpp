@@ -134,16 +134,14 @@ bool DomainMesher::change_border() {
     }
     BorderWish wish;
     if (changes_ < most_changes) {
-        for (const int32_t segment : crossed_) { // in parts of which many no longer cross
-            weak_.try_emplace(segment, 4);
-        }
+        wish.crossed = crossed_;
         wish.united = united_;
         wish.touched = touched_;
     }
     wish.weak.assign(weak_.begin(), weak_.end());
-    const bool crosses = !(crossed_.empty() && united_.empty() && touched_.empty());
+    const bool crosses = !(wish.crossed.empty() && wish.united.empty() && wish.touched.empty());
     changes_ += crosses || angle_ > 0 ? 1 : 0;
-    return !(wish.weak.empty() && wish.united.empty() && wish.touched.empty()) && domain_.change_border(wish);
+    return (crosses || !wish.weak.empty()) && domain_.change_border(wish);
 }
 
 bool DomainMesher::take_border() {

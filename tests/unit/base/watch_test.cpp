@@ -200,12 +200,12 @@ TEST(Watch, an_attempt_ends_at_the_limit_and_nothing_after_it) {
               Status::cancelled);
 }
 
-TEST(Watch, half_of_the_work_leaves_the_other_half) {
+TEST(Watch, a_part_of_the_work_leaves_the_rest) {
     const auto body = [](int64_t more) {
         return [more] {
             count_work(20);
             {
-                const HalfOfWork half;
+                const PartOfWork half;
                 EXPECT_TRUE(attempted([] { count_work(40); }));
                 EXPECT_FALSE(attempted([] { count_work(1); }));
             }
@@ -215,9 +215,17 @@ TEST(Watch, half_of_the_work_leaves_the_other_half) {
     };
     EXPECT_EQ(end_of({100, nullptr, nullptr}, body(39)), Status::ok);
     EXPECT_EQ(end_of({100, nullptr, nullptr}, body(40)), Status::work);
+    EXPECT_EQ(end_of({100, nullptr, nullptr},
+                     [] {
+                         const PartOfWork tenth(0.1);
+                         EXPECT_TRUE(attempted([] { count_work(10); }));
+                         EXPECT_FALSE(attempted([] { count_work(1); }));
+                     }),
+              Status::ok);
     EXPECT_EQ(end_of({0, nullptr, nullptr},
                      [] {
-                         const HalfOfWork half; // of no limit
+                         const PartOfWork half; // of no limit
+                         EXPECT_FALSE(work_is_limited());
                          count_work(1000000);
                      }),
               Status::ok);
@@ -228,7 +236,7 @@ TEST(Watch, what_is_left_of_the_work_is_known) {
     EXPECT_GT(work_left(), any_work); // nobody watches
     EXPECT_EQ(end_of({0, nullptr, nullptr},
                      [] {
-                         const HalfOfWork half;
+                         const PartOfWork half;
                          count_work(1000);
                          EXPECT_GT(work_left(), any_work);
                      }),
@@ -237,7 +245,7 @@ TEST(Watch, what_is_left_of_the_work_is_known) {
                      [] {
                          EXPECT_EQ(work_left(), 100);
                          const LimitedSearch search;
-                         const HalfOfWork half;
+                         const PartOfWork half;
                          EXPECT_EQ(work_left(), 50);
                          count_work(30);
                          EXPECT_EQ(work_left(), 20);

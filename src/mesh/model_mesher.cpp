@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/model_mesher.h"
+
+#include "base/watch.h"
+#include "mesh/domain/domain_mesher.h"
+#include "mesh/extent.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace nrb::mesh {
+
+namespace {
+
+// Rounds in which faces follow the edges that others changed.
+constexpr int most_edge_rounds = 12;
+// Of a face, at borders of which points or all triangles become others.
+constexpr int most_attempts = 12;
+// Triangles of faces that are kept so that these can go on: some ten megabytes.
+constexpr size_t most_kept = size_t{1} << 17;
+// Where the work is not enough: what is left for faces may be less than they seem to need by so much; by what the next distance is
+// larger, at least, and as a multiple of that.
+constexpr double too_much = 1.5, least_coarser = 2, coarser_by = 1.5;
+// Times that segments of a border which cross others are divided without becoming fewer.
+constexpr int most_in_vain = 6;
+// Of the tolerance, for edges: their segments, and what faces make of them.
+constexpr double share_of_edges = 0.8;
+
+void append_edges(const ModelEdges &edges, Mesh &mesh) {
+    for (const EdgeLine &line : edges.lines()) {
+        mesh.edges.push_back(
+            {line.edge, mesh.edge_points.size(), line.points.size(), line.bound, line.reached});
+        mesh.edge_points.insert(mesh.edge_points.end(), line.points.begin(), line.points.end());
+    }
+}
+
+// Of edges: those for which others stand.
+void drop_loose_points(Mesh &mesh) {
+    std::vector<int32_t> number(mesh.points.size(), -1);
+    const auto use = [&](int32_t point) { number[static_cast<size_t>(point)] = 0; };
+    std::ranges::for_each(mesh.edge_points, use);
+    std::ranges::for_each(mesh.vertices, use, &MeshVertex::point);
+    int32_t count = 0;
+    for (size_t i = 0; i < number.size(); ++i) {
+        if (number[i] == 0) {
+            number[i] = count;
+            mesh.points[static_cast<size_t>(count++)] = mesh.points[i];
+        }
+    }
+    mesh.points.resize(static_cast<size_t>(count));
+    for (int32_t &point : mesh.edge_points) {
+        point = number[static_cast<size_t>(point)];
+    }
+    for (MeshVertex &vertex : mesh.vertices) {
+        vertex.point = number[static_cast<size_t>(vertex.point)];
+    }
+}
+
+} // namespace
+
+MeshDomain domain_of(const Spline &surface, const face::Covering &covering) {
+    MeshDomain domain;
+    domain.surface = &surface;
+    for (int k = 0; k < 2; ++k) {
+        const auto at = static_cast<size_t>(k);
+        domain.closed[at] = covering.closed(k);
+        domain.collapsed[at] = {covering.collapsed(k, 0), covering.collapsed(k, 1)};
+    }
+    return domain;
+}
+
+void append(const DomainMesh &part, Mesh &mesh) {
+    const auto base = static_cast<int32_t>(mesh.vertices.size()),
+               first = static_cast<int32_t>(mesh.points.size());
+    MeshFace info;
+    info.first_vertex = mesh.vertices.size();
+    info.vertices = part.vertices.size();
+    info.first_triangle = mesh.triangles.size();
+    info.triangles = part.triangles.size();
+    info.from_shape = part.from_shape;
+    info.from_mesh = part.from_mesh;
+    info.reached = part.reached;
+    mesh.faces.push_back(info);
+    mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
+    for (MeshVertex vertex : part.vertices) {
+        vertex.point = vertex.point < 0 ? first - 1 - vertex.point : vertex.point;
+        mesh.vertices.push_back(vertex);
+    }
+    mesh.paired.insert(mesh.paired.end(), part.paired.begin(), part.paired.end());
+    for (const auto &triangle : part.triangles) {
+        mesh.triangles.push_back({base + triangle[0], base + triangle[1], base + triangle[2]});
+    }
+}
+
+// The mesh of a face, with all that it takes to go on where its border changes.
+struct ModelMesher::FaceWork {
+    MeshDomain domain;
+    std::optional<DomainMesher> mesher{};
+};
+
+ModelMesher::ModelMesher(const model::Model &model, const MeshRule &rule, std::vector<double> work_of_faces)
+    : model_(model), rule_(rule), shares_(std::move(work_of_faces)),
+      edges_(model, {rule.chord * share_of_edges, angle_within_reach(rule.angle), rule.longest}),
+      parts_(model.faces.size()), works_(parts_.size()), old_(parts_.size(), true),
+      crossings_(parts_.size()) {}
+
+ModelMesher::~ModelMesher() = default;
+
+std::optional<Mesh> ModelMesher::mesh(bool may_fail) {
+    may_fail_ = may_fail;
+    for (int round = 0; round < most_edge_rounds && has_old(); ++round) {
+        const Phase phase;
+        mesh_faces(round + 1 == most_edge_rounds);
+        if (may_fail_ && failure_ > 0) {
+            return std::nullopt;
+        }
+    }
+    works_.clear();
+    Mesh result;
+    result.points = edges_.points();
+    append_edges(edges_, result);
+    for (const DomainMesh &part : parts_) {
+        append(part, result);
+    }
+    drop_loose_points(result);
+    return result;
+}
+
+bool ModelMesher::has_old() const {
+    return std::ranges::find(old_, true) != old_.end();
+}
+
+void ModelMesher::mesh_faces(bool last) {
+    shares_.begin(old_);
+    Steps steps(std::ssize(parts_));
+    for (size_t i = 0; i < parts_.size(); ++i, steps.next()) {
+        if (old_[i]) {
+            judge(i, shares_.run(i, [&] { mesh_face(i, last); }));
+            if (may_fail_ && failure_ > 0) {
+                return;
+            }
+        }
+    }
+}
+
+// After a face for which the work was enough or not.
+void ModelMesher::judge(size_t face, bool enough) noexcept {
+    const double off = std::max(parts_[face].from_shape, parts_[face].from_mesh),
+                 pressure = shares_.pressure();
+    if (!enough && off > most_off * rule_.chord) {
+        failure_ = most_off;
+    } else if (pressure > too_much) {
+        failure_ = std::clamp(coarser_by * pressure, least_coarser, most_off);
+    }
+}
+
+std::unique_ptr<ModelMesher::FaceWork> ModelMesher::work_for(size_t face) {
+    std::unique_ptr<FaceWork> work = std::move(works_[face]);
+    if (work) {
+        kept_ -= parts_[face].triangles.size();
+    } else {
+        const face::Face &own = *model_.faces[face].face;
+        work = std::make_unique<FaceWork>();
+        work->domain = domain_of(*own.surface(), own.covering());
+        work->domain.points = &edges_.points();
+        work->domain.inside = [&own](const face::Point2 &x) { return own.trims().side(x) > 0; };
+        work->domain.cut = [&own](const Rectangle &part) { return own.trims().cuts(part.lower, part.upper); };
+        work->domain.change_border = [this, face, &domain = work->domain](const BorderWish &wish) {
+            const bool changed = change_edges(face, domain.border, wish);
+            if (changed) {
+                domain.border = border_of(model_, static_cast<int64_t>(face), edges_);
+            }
+            return changed;
+        };
+    }
+    work->domain.border = border_of(model_, static_cast<int64_t>(face), edges_);
+    return work;
+}
+
+void ModelMesher::drop_work(size_t face) {
+    kept_ -= works_[face] ? parts_[face].triangles.size() : 0;
+    works_[face].reset();
+}
+
+// Faces beside others may have to go on. What that takes is kept where it is not too much.
+bool ModelMesher::is_kept(const FaceWork &work, size_t triangles) noexcept {
+    return parts_.size() > 1 && work.mesher->goes_on() && kept_ + triangles <= most_kept;
+}
+
+void ModelMesher::mesh_face(size_t face, bool last) {
+    std::unique_ptr<FaceWork> work = work_for(face);
+    if (last) {
+        work->domain.change_border = {};
+    }
+    bool done = work->mesher && work->mesher->take_border() && work->mesher->run();
+    for (int attempt = 1; !done && attempt <= most_attempts; ++attempt) {
+        if (attempt == most_attempts) {
+            work->domain.change_border = {};
+        }
+        work->mesher.emplace(work->domain, rule_);
+        done = work->mesher->run();
+    }
+    const bool keep = !last && is_kept(*work, work->mesher->triangle_count());
+    parts_[face] = work->mesher->output(!keep);
+    old_[face] = false;
+    if (keep) {
+        kept_ += parts_[face].triangles.size();
+        works_[face] = std::move(work);
+    }
+}
+
+// Borders that lie on each other, or pass each other at a corner, have more crossings the more vertices they have; those that are near
+// each other have until segments are nearer to their curves.
+bool ModelMesher::is_hopeless(size_t face, size_t crossed) noexcept {
+    Crossings &own = crossings_[face];
+    own.in_vain = crossed < own.fewest ? 0 : own.in_vain + 1;
+    own.fewest = std::min(own.fewest, crossed);
+    return own.in_vain > most_in_vain;
+}
+
+// Where a face needs it. Returns whether there is something new; other faces there are old then.
+bool ModelMesher::change_edges(size_t face, const FaceBorder &border, const BorderWish &wish) {
+    std::map<int64_t, std::vector<double>> places; // on polylines
+    const auto add = [&](int32_t segment, double share) {
+        const BorderSegment &weak = border.segments[static_cast<size_t>(segment)];
+        if (weak.line >= 0) {
+            places[weak.line].push_back(weak.params[0] * (1 - share) + weak.params[1] * share);
+        }
+    };
+    const auto divide = [&](int32_t segment, int count) {
+        for (int i = 1; i < count; ++i) {
+            add(segment, static_cast<double>(i) / count);
+        }
+    };
+    for (const auto &[segment, count] : wish.weak) {
+        divide(segment, count);
+    }
+    if (!is_hopeless(face, wish.crossed.size())) {
+        for (const int32_t segment : wish.crossed) { // in parts of which many no longer cross
+            divide(segment, 4);
+        }
+    }
+    for (const auto &[segment, share] : wish.touched) {
+        add(segment, share);
+    }
+    bool any = false;
+    for (auto &[line, params] : places) {
+        std::ranges::sort(params);
+        for (const int64_t user : edges_.add_vertices(line, params)) {
+            old_[static_cast<size_t>(user)] = any = true;
+        }
+    }
+    for (const int64_t user : edges_.unite(wish.united)) {
+        old_[static_cast<size_t>(user)] = any = true;
+        drop_work(static_cast<size_t>(user)); // its points are others
+    }
+    return any;
+}
+
+} // namespace nrb::mesh

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The work that is left, divided among faces that are meshed one after the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace nrb::mesh {
+
+class WorkShares {
+public:
+    // What is expected of each face. Empty: every face may take all that is left.
+    explicit WorkShares(std::vector<double> expected) : expected_(std::move(expected)) {}
+
+    // A round over some faces.
+    void begin(const std::vector<bool> &faces) noexcept;
+    // One of these, as the next one, with what others are not expected to need, somewhat more than its share at least. Returns whether
+    // that was enough.
+    [[nodiscard]] bool run(size_t face, const std::function<void()> &mesh);
+    // What the others of the round need by what faces took so far, as a multiple of what is left for them.
+    [[nodiscard]] double pressure() const noexcept;
+
+private:
+    [[nodiscard]] double needed() const noexcept; // by those that follow
+
+    std::vector<double> expected_;
+    double rest_ = 0;             // of what is expected in this round
+    double done_ = 0, taken_ = 0; // what was expected of faces so far, and what they took
+};
+
+} // namespace nrb::mesh
