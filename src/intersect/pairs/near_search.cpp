@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/open_pairs.h"
 #include "intersect/pairs/periods.h"
 #include "numeric/norm.h"
 
@@ -63,17 +64,8 @@ NearCells NearSearch::refine(std::span<const NearCell> cells) {
 
 NearCells NearSearch::run() {
     result_ = {};
-    SearchSteps steps;
-    for (; !stack_.empty() && !work_ended(); steps.next(stack_.size())) {
-        const Pair pair = stack_.back();
-        stack_.pop_back();
-        look(pair);
-    }
-    result_.complete = stack_.empty();
-    for (const Pair &pair : stack_) {
-        add_unknown(pair);
-    }
-    stack_.clear();
+    result_.complete = look_at_all(
+        stack_, [this](const Pair &pair) { look(pair); }, [this](const Pair &pair) { add_unknown(pair); });
     return std::move(result_);
 }
 
