@@ -154,6 +154,10 @@ struct FileCase {
     double sewn = 0; // within which faces that know no common edges are sewn
 };
 
+void PrintTo(const FileCase &file, std::ostream *out) { // a name that GoogleTest knows
+    *out << file.name;
+}
+
 } // namespace
 
 class FaceMeetsInFiles : public ::testing::TestWithParam<FileCase> {};
