@@ -2,6 +2,7 @@
 #include "mesh/domain/domain_mesher.h"
 
 #include "base/watch.h"
+#include "mesh/cells/cell_shape.h"
 #include "mesh/cells/cell_triangles.h"
 #include "mesh/extent.h"
 
@@ -33,7 +34,44 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
       proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
     coarsen(cells_.tree().coarsening());
     most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
+    density_ = density_of_cells();
     known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;
+}
+
+// By the cells that the border cuts: how many of them it takes along each axis, of those that are as small as bends want them. Where these
+// want nothing, as many as lengths say.
+std::array<double, 2> DomainMesher::density_of_cells() {
+    std::array<double, 2> bends{};
+    double area = 0;
+    for (int32_t i = 0; domain_.inside && i < std::ssize(cells_.tree().cells()); ++i) {
+        const Cell &cell = cells_.tree().cells()[static_cast<size_t>(i)];
+        if (cell.side != Side::border) {
+            continue;
+        }
+        const Rectangle part = cells_.tree().rectangle(cell);
+        const CellBend bend = bend_of(cells_.tree().box(i));
+        const double own = part.side(0) * part.side(1);
+        area += own;
+        const auto add = [&](size_t k, double height) {
+            bends[k] += own * std::min(std::abs(height), 1e100) / (part.side(k) * part.side(k));
+        };
+        add(0, bend.heights.uu.middle);
+        add(1, bend.heights.vv.middle);
+    }
+    const double chord = grid_.scaled(chord_);
+    double size = 0;
+    for (size_t k = 0; k < 2; ++k) {
+        const auto &ends = cells_.tree().block_ends(k);
+        size = std::max(size, cells_.tree().speed(k) * (ends.back() - ends.front()));
+    }
+    std::array<double, 2> result{};
+    for (size_t k = 0; k < 2; ++k) {
+        const double speed = cells_.tree().speed(k);
+        const double longest = longest_ > 0 ? grid_.scaled(longest_) : infinity;
+        result[k] = std::sqrt((area > 0 && chord > 0 ? bends[k] / area / (8 * chord) : 0) + speed / size * (speed / size) +
+                              speed / longest * (speed / longest));
+    }
+    return result;
 }
 
 // Where the work is not enough for what was asked for.
@@ -169,7 +207,7 @@ void DomainMesher::make_strip() {
     if (!domain_.inside) {
         return;
     }
-    const BorderStrip strip(domain_, *index_, cells_, extra_);
+    const BorderStrip strip(domain_, *index_, cells_, extra_, density_);
     crossed_ = strip.crossed();
     united_ = strip.united();
     touched_ = strip.touched();

@@ -41,6 +41,7 @@ private:
 
     [[nodiscard]] CellRule cell_rule() const;
     void coarsen(double factor) noexcept;
+    [[nodiscard]] std::array<double, 2> density_of_cells();
     [[nodiscard]] Side side_of(const Rectangle &part) const;
     void look_at_cells();
     void make_cells();
@@ -125,6 +126,7 @@ private:
     double least_;                   // in the units of the grid
     CellGrid cells_;
     double most_apart_; // of unit normals
+    std::array<double, 2> density_{}; // of cells on steps along the axes
     Sites sites_;
     TriangleProof proof_;
     std::set<std::array<double, 2>> extra_; // places of the strip besides
