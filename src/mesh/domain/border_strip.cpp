@@ -28,8 +28,8 @@ void BorderStrip::make_strip() {
     }
     strip_ = std::make_unique<const Strip>(
         part, std::array<double, 2>{tree.speed(0) * part.side(0), tree.speed(1) * part.side(1)},
-        std::array<double, 2>{density_[0] * part.side(0), density_[1] * part.side(1)},
-        places_.points(), places_.walls());
+        std::array<double, 2>{density_[0] * part.side(0), density_[1] * part.side(1)}, places_.points(),
+        places_.walls());
 }
 
 // Lines may cross the border outside of the face.

@@ -68,8 +68,8 @@ std::array<double, 2> DomainMesher::density_of_cells() {
     for (size_t k = 0; k < 2; ++k) {
         const double speed = cells_.tree().speed(k);
         const double longest = longest_ > 0 ? grid_.scaled(longest_) : infinity;
-        result[k] = std::sqrt((area > 0 && chord > 0 ? bends[k] / area / (8 * chord) : 0) + speed / size * (speed / size) +
-                              speed / longest * (speed / longest));
+        result[k] = std::sqrt((area > 0 && chord > 0 ? bends[k] / area / (8 * chord) : 0) +
+                              speed / size * (speed / size) + speed / longest * (speed / longest));
     }
     return result;
 }
@@ -223,18 +223,20 @@ void DomainMesher::make_strip() {
     extra_.insert(more.begin(), more.end());
 }
 
-// Whether a site is where the surface ends: at an end of the domain, or where it jumps.
-bool DomainMesher::is_border(const Site &site) const noexcept {
+// Whether a side is where the surface ends: on an end of the domain, or where it jumps.
+bool DomainMesher::is_border(const Site &from, const Site &to) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
+        const double t = from.param[k];
+        if (t != to.param[k]) {
+            continue;
+        }
         const auto &ends = cells_.tree().block_ends(k);
         const auto axis = static_cast<int>(k);
-        if (site.param[k] == ends.front() || site.param[k] == ends.back()) {
-            const bool upper = site.param[k] == ends.back();
-            if (!domain_.closed[k] && !domain_.collapsed[k][upper ? 1 : 0]) {
+        if (t == ends.front() || t == ends.back()) {
+            if (!domain_.closed[k] && !domain_.collapsed[k][t == ends.back() ? 1 : 0]) {
                 return true;
             }
-        } else if (std::ranges::binary_search(ends, site.param[k]) &&
-                   grid_.jumps(axis, grid_.find(axis, site.param[k]))) {
+        } else if (std::ranges::binary_search(ends, t) && grid_.jumps(axis, grid_.find(axis, t))) {
             return true;
         }
     }
@@ -243,12 +245,9 @@ bool DomainMesher::is_border(const Site &site) const noexcept {
 
 MeshTriangle DomainMesher::mesh_triangle(const SiteTriangle &triangle) const noexcept {
     MeshTriangle result{points_of(triangle)};
-    std::array<bool, 3> at_end{}; // corners
     for (size_t k = 0; k < 3; ++k) {
-        at_end[k] = is_border(sites_[triangle.sites[k]]);
-    }
-    for (size_t k = 0; k < 3; ++k) {
-        result.border[k] = triangle.border[k] >= 0 || (at_end[(k + 1) % 3] && at_end[(k + 2) % 3]);
+        result.border[k] = triangle.border[k] >= 0 || is_border(sites_[triangle.sites[(k + 1) % 3]],
+                                                                sites_[triangle.sites[(k + 2) % 3]]);
     }
     return result;
 }

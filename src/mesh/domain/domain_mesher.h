@@ -51,7 +51,7 @@ private:
     void prove();
     [[nodiscard]] Distances distances(size_t triangle) const noexcept;
     [[nodiscard]] MeshTriangle mesh_triangle(const SiteTriangle &triangle) const noexcept;
-    [[nodiscard]] bool is_border(const Site &site) const noexcept;
+    [[nodiscard]] bool is_border(const Site &from, const Site &to) const noexcept;
     [[nodiscard]] std::array<int32_t, 3> points_of(const SiteTriangle &triangle) const noexcept {
         return {sites_[triangle.sites[0]].point, sites_[triangle.sites[1]].point,
                 sites_[triangle.sites[2]].point};
@@ -125,7 +125,7 @@ private:
     double chord_, longest_, angle_; // that triangles are made for
     double least_;                   // in the units of the grid
     CellGrid cells_;
-    double most_apart_; // of unit normals
+    double most_apart_;               // of unit normals
     std::array<double, 2> density_{}; // of cells on steps along the axes
     Sites sites_;
     TriangleProof proof_;

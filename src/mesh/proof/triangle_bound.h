@@ -55,6 +55,8 @@ struct TriangleBound {
     // seen along a direction up to 30 degrees off the normal.
     std::array<std::array<double, 2>, 3> turns{
         {{infinity, infinity}, {infinity, infinity}, {infinity, infinity}}};
+    // Likewise the angles within which the images of the sides themselves come inside.
+    std::array<std::array<double, 2>, 3> leans = turns;
     std::array<double, 3>
         sines{};             // of the angles, and 1 of those that are obtuse as seen along such a direction
     double whole = infinity; // no point of the surface is farther from the triangle
