@@ -127,8 +127,10 @@ Distances MeshBound::over_side(size_t triangle, size_t side) const noexcept {
     const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
     const double cosine = dot(own.normal, other.normal) - 8 * eps,
                  sine = length(cross(own.normal, other.normal)) + 8 * eps;
-    return {own.height + own.outs[side] * (sine / cosine),
-            std::max(other.height * cosine + other.outs[next.side] * sine, other.height / cosine)};
+    const double over = other.outs[next.side] * sine;
+    const double covered = std::max(other.height * cosine + over, other.height / cosine);
+    const double beyond = other.edge > 0 ? other.edge + over + covered * sine : 0;
+    return {own.height + own.outs[side] * (sine / cosine), std::max(covered, beyond)};
 }
 
 Distances MeshBound::over_border(size_t triangle, size_t side) const noexcept {
@@ -147,7 +149,7 @@ Distances MeshBound::by_star(size_t triangle, const Around &around) const noexce
 
 Distances MeshBound::by_sides(size_t triangle) const noexcept {
     const TriangleBound &own = bounds_[triangle];
-    Distances result{own.height, own.height};
+    Distances result{std::max(own.height, own.edge), std::max(own.height, own.edge)};
     for (size_t k = 0; k < 3; ++k) {
         const Distances over =
             triangles_[triangle].border[k] ? over_border(triangle, k) : over_side(triangle, k);

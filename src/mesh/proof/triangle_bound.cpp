@@ -280,6 +280,7 @@ TriangleBound Triangle::bound() const noexcept {
     const double flat = off(normal), slack = flat + 8 * eps * longest_;
     TriangleBound result;
     result.normal = normal;
+    result.flat = flat;
     result.altitude = area / longest_ * (1 - 16 * eps);
     const double per_weight = 1 / least_weight_;
     result.height = (heights.both() * per_weight + flat) * rounding;
@@ -293,11 +294,15 @@ TriangleBound Triangle::bound() const noexcept {
         const double below = least_weight_ * area * inverse_[k];
         result.outs[k] = across.above(k, below / rounding) * per_weight + slack;
         result.out = std::max(result.out, result.outs[k]);
-        const double beside = runs_along(k)
-                                  ? diagonal(heights.on_side(k), across.on_side(k)) * per_weight + slack
-                                  : equal_parameters();
+        const bool along = runs_along(k);
+        const double beside =
+            along ? diagonal(heights.on_side(k), across.on_side(k)) * per_weight + slack : equal_parameters();
         result.sides[k] = beside * rounding;
         result.beside = std::max(result.beside, result.sides[k]);
+        result.bends[k] = heights.largest(k) * per_weight * rounding;
+        if (along) {
+            result.across[k] = (across.on_side(k) * per_weight + slack) * rounding;
+        }
     }
     result.out *= sharpness();
     if (result.out > result.height) {
