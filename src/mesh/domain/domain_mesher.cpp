@@ -38,38 +38,34 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
     known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;
 }
 
-// By the cells that the border cuts: how many of them it takes along each axis, of those that are as small as bends want them. Where these
-// want nothing, as many as lengths say.
-std::array<double, 2> DomainMesher::density_of_cells() {
-    std::array<double, 2> bends{};
-    double area = 0;
-    for (int32_t i = 0; domain_.inside && i < std::ssize(cells_.tree().cells()); ++i) {
-        const Cell &cell = cells_.tree().cells()[static_cast<size_t>(i)];
+// How many it takes for a length, by what the surface bends along each axis in the cells that the border cuts, and all of it is one at least.
+std::array<double, 2> DomainMesher::density_of_cells() const {
+    std::array<double, 2> bends{}, squares{};
+    const CellTree &tree = cells_.tree();
+    for (int32_t i = 0; domain_.inside && i < std::ssize(tree.cells()); ++i) {
+        const Cell &cell = tree.cells()[static_cast<size_t>(i)];
         if (cell.side != Side::border) {
             continue;
         }
-        const Rectangle part = cells_.tree().rectangle(cell);
-        const CellBend bend = bend_of(cells_.tree().box(i));
-        const double own = part.side(0) * part.side(1);
-        area += own;
-        const auto add = [&](size_t k, double height) {
-            bends[k] += own * std::min(std::abs(height), 1e100) / (part.side(k) * part.side(k));
-        };
-        add(0, bend.heights.uu.middle);
-        add(1, bend.heights.vv.middle);
+        const CellBend bend = bend_of(tree.box(i));
+        const std::array<double, 2> sides = tree.rectangle(cell).sides(),
+                                    heights{bend.heights.uu.middle, bend.heights.vv.middle};
+        for (size_t k = 0; k < 2; ++k) {
+            const double share = sides[1 - k] / sides[k]; // of the area, for a step of the domain
+            bends[k] += std::abs(heights[k]) * share;
+            squares[k] += bend.speeds[k] * bend.speeds[k] * share;
+        }
     }
-    const double chord = grid_.scaled(chord_);
     double size = 0;
     for (size_t k = 0; k < 2; ++k) {
-        const auto &ends = cells_.tree().block_ends(k);
-        size = std::max(size, cells_.tree().speed(k) * (ends.back() - ends.front()));
+        size = std::max(size, tree.speed(k) * (tree.block_ends(k).back() - tree.block_ends(k).front()));
     }
+    const double chord = 8 * grid_.scaled(chord_), longest = longest_ > 0 ? grid_.scaled(longest_) : infinity;
     std::array<double, 2> result{};
     for (size_t k = 0; k < 2; ++k) {
-        const double speed = cells_.tree().speed(k);
-        const double longest = longest_ > 0 ? grid_.scaled(longest_) : infinity;
-        result[k] = std::sqrt((area > 0 && chord > 0 ? bends[k] / area / (8 * chord) : 0) +
-                              speed / size * (speed / size) + speed / longest * (speed / longest));
+        const double curvature = bends[k] / squares[k], least = 1 / (size * size) + 1 / (longest * longest);
+        const double bent = curvature > 0 && curvature < infinity && chord > 0 ? curvature / chord : 0;
+        result[k] = tree.speed(k) * std::sqrt(bent + least);
     }
     return result;
 }

@@ -42,13 +42,18 @@ double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
 DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     Split best, bent;
     double most = share_of_bent * chord_;
+    const Vector3 &corner = sites_.position(triangle.sites[0]);
+    const Vector3 across =
+        cross(sites_.position(triangle.sites[1]) - corner, sites_.position(triangle.sites[2]) - corner);
+    const double area = length(across);
+    const Vector3 normal = area > 0 ? (1 / area) * across : across;
     for (size_t k = 0; k < 3; ++k) {
         const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
         const Site &a = sites_[from], &b = sites_[to];
         if (triangle.fixed[k] && triangle.border[k] < 0 && a.point != b.point) {
             continue;
         }
-        const Sites::Way way = a.point == b.point ? Sites::Way{infinity, infinity} : sites_.way(from, to);
+        const Sites::Way way = a.point == b.point ? Sites::Way{infinity, {}} : sites_.way(from, to);
         const Split own{way.length,
                         {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2},
                         triangle.border[k],
@@ -56,12 +61,12 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
         if (way.length > best.size) {
             best = own;
         }
-        if (way.sag > most) {
-            most = way.sag;
+        if (const double sag = std::abs(dot(way.sag, normal)); sag > most && way.length < infinity) {
+            most = sag;
             bent = own;
         }
     }
-    return bent.size > 0 ? bent : best;
+    return bent.size > 0 && best.size < infinity ? bent : best;
 }
 
 // Of the corners; those without a normal do not count.

@@ -175,7 +175,7 @@ Sites::Way Sites::way(int32_t from, int32_t to) const {
     eval::evaluate_points(*domain_.surface, rules, 0, {middle.data(), 1, 2, 2, 1},
                           {&x.x, 1, domain_.surface->dim(), 3, 1});
     const Vector3 before = x - position(from), after = position(to) - x;
-    return {length(before) + length(after), length(before - after) / 2};
+    return {length(before) + length(after), 0.5 * (before - after)};
 }
 
 // In groups of equal sides.

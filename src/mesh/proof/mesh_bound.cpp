@@ -129,7 +129,8 @@ Distances MeshBound::over_side(size_t triangle, size_t side) const noexcept {
                  sine = length(cross(own.normal, other.normal)) + 8 * eps;
     const double over = other.outs[next.side] * sine;
     const double covered = std::max(other.height * cosine + over, other.height / cosine);
-    const double beyond = other.edge > 0 ? other.edge + over + covered * sine : 0;
+    const double beyond =
+        other.edge > 0 ? other.edge + (std::min(other.edge, other.outs[next.side]) + covered) * sine : 0;
     return {own.height + own.outs[side] * (sine / cosine), std::max(covered, beyond)};
 }
 

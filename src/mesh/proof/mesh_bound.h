@@ -27,7 +27,7 @@
 //   side: where it passes a point p on the straight way from the side, it is no farther from p.
 // - Where x is outside of the face, between a side of T at the border and its curve, that is near p (edge of triangle_bound.h). Where it is over T'',
 //   the curve is as near to the foot of x on the plane of that, from which p is r' sin b away across the plane, and its distance from x times
-//   sin b along it.
+//   sin b along it; and r' is at most the distance of x from the side of T'' at the border.
 #pragma once
 
 #include "mesh/proof/point_fans.h"
