@@ -25,6 +25,13 @@ inline int64_t scalar_product(const GridPoint &a, const GridPoint &b, const Grid
     return int64_t{b.u - a.u} * (c.u - a.u) + int64_t{b.v - a.v} * (c.v - a.v);
 }
 
+// By which squares of lengths are uu u^2 + vv v^2: a circle is an ellipse with these axes. 0 < uu, vv.
+struct GridMetric {
+    int32_t uu = 1, vv = 1;
+    static constexpr int32_t most = int32_t{1} << 30;
+    friend bool operator==(const GridMetric &, const GridMetric &) = default;
+};
+
 // Whether p lies strictly inside of the circle through a counterclockwise triangle: a sum of three products of at most 122 bits.
 inline bool in_circle(const GridPoint &a, const GridPoint &b, const GridPoint &c,
                       const GridPoint &p) noexcept {
@@ -35,6 +42,28 @@ inline bool in_circle(const GridPoint &a, const GridPoint &b, const GridPoint &c
     sum += Int128::product(lifted(bu, bv), cu * av - cv * au);
     sum += Int128::product(lifted(cu, cv), au * bv - av * bu);
     return sum.high() > 0 || (sum.high() == 0 && sum.low() > 0);
+}
+
+// The same of the ellipse that is a circle in a metric. Squares have up to 91 bits, and are multiplied in two parts, of 32 bits and
+// of those above.
+inline bool in_circle(const GridMetric &metric, const GridPoint &a, const GridPoint &b, const GridPoint &c,
+                      const GridPoint &p) noexcept {
+    const int64_t au = a.u - p.u, av = a.v - p.v, bu = b.u - p.u, bv = b.v - p.v, cu = c.u - p.u,
+                  cv = c.v - p.v;
+    Int128 high, low;
+    const auto add = [&](int64_t u, int64_t v, int64_t area) {
+        Int128 square = Int128::product(metric.uu, u * u);
+        square += Int128::product(metric.vv, v * v);
+        high += Int128::product(square.high() << 32 | static_cast<int64_t>(square.low() >> 32), area);
+        low += Int128::product(static_cast<int64_t>(square.low() & 0xffffffffU), area);
+    };
+    add(au, av, bu * cv - bv * cu);
+    add(bu, bv, cu * av - cv * au);
+    add(cu, cv, au * bv - av * bu);
+    ExactSum sum;
+    sum.add(high, 32);
+    sum.add(low, 0);
+    return !sum.negative() && !sum.zero();
 }
 
 } // namespace nrb::mesh

@@ -7,8 +7,8 @@
 
 namespace nrb::mesh {
 
-TriangleNet::TriangleNet(std::vector<GridPoint> points)
-    : points_(std::move(points)), fans_(points_.size() + 1, -1) {}
+TriangleNet::TriangleNet(std::vector<GridPoint> points, const GridMetric &metric)
+    : points_(std::move(points)), metric_(metric), fans_(points_.size() + 1, -1) {}
 
 void TriangleNet::set_mark(EdgeId e, int32_t mark) noexcept {
     join(e, twin(e), mark);
@@ -17,7 +17,8 @@ void TriangleNet::set_mark(EdgeId e, int32_t mark) noexcept {
 bool TriangleNet::circle_contains(TriangleId t, const GridPoint &p) const noexcept {
     const auto &[a, b, c] = at(t).corner;
     if ((a | b | c) >= 0) {
-        return in_circle(point(a), point(b), point(c), p);
+        return metric_ == GridMetric{} ? in_circle(point(a), point(b), point(c), p)
+                                       : in_circle(metric_, point(a), point(b), point(c), p);
     }
     const EdgeId e = edge_of(t, a < 0 ? 0 : b < 0 ? 1 : 2);
     return side(e, p) > 0;

@@ -24,7 +24,7 @@ public:
     static constexpr int32_t most_vertices = int32_t{1} << 27;
     static constexpr int32_t unmarked = -1;
 
-    explicit TriangleNet(std::vector<GridPoint> points);
+    explicit TriangleNet(std::vector<GridPoint> points, const GridMetric &metric = {});
 
     [[nodiscard]] const std::vector<GridPoint> &points() const noexcept { return points_; }
     [[nodiscard]] const GridPoint &point(VertexId v) const noexcept {
@@ -100,6 +100,7 @@ private:
     void set_fan(VertexId v, EdgeId e) noexcept { fans_[static_cast<size_t>(v + 1)] = e; }
 
     std::vector<GridPoint> points_;
+    GridMetric metric_;
     std::vector<Triangle> triangles_;
     std::vector<EdgeId> fans_; // of the infinite vertex, then of all others
 };

@@ -32,11 +32,11 @@ bool begin_with_triangle(const std::vector<GridPoint> &points, std::span<VertexI
 
 } // namespace
 
-Triangulation::Triangulation(std::span<const GridPoint> points) : net_({}) {
+Triangulation::Triangulation(std::span<const GridPoint> points, const GridMetric &metric) : net_({}) {
     DistinctPoints distinct = distinct_points(points);
     vertex_of_ = std::move(distinct.place);
     std::vector<VertexId> order = order_in_rounds(static_cast<int32_t>(distinct.points.size()));
-    net_ = TriangleNet(std::move(distinct.points));
+    net_ = TriangleNet(std::move(distinct.points), metric);
     if (begin_with_triangle(net_.points(), order)) {
         build(order);
     }

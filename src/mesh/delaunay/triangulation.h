@@ -23,7 +23,7 @@ public:
     // The Delaunay triangulation of points; equal ones become one vertex. All on one line: no triangles, not even ghosts.
     // Cost: about 1 us a point, whatever order they come in and however many lie on one circle. Refuses more
     // points than TriangleNet::most_vertices.
-    explicit Triangulation(std::span<const GridPoint> points);
+    explicit Triangulation(std::span<const GridPoint> points, const GridMetric &metric = {});
     [[nodiscard]] VertexId vertex_of(size_t point) const noexcept { return vertex_of_[point]; }
 
     struct Segment {

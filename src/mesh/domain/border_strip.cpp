@@ -10,8 +10,8 @@
 namespace nrb::mesh {
 
 BorderStrip::BorderStrip(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
-                         const std::set<std::array<double, 2>> &extra)
-    : domain_(domain), cells_(cells), places_(domain, index, cells, extra) {
+                         const std::set<std::array<double, 2>> &extra, const std::array<double, 2> &density)
+    : domain_(domain), cells_(cells), density_(density), places_(domain, index, cells, extra) {
     make_strip();
 }
 
@@ -28,7 +28,8 @@ void BorderStrip::make_strip() {
     }
     strip_ = std::make_unique<const Strip>(
         part, std::array<double, 2>{tree.speed(0) * part.side(0), tree.speed(1) * part.side(1)},
-        places_.points(), places_.walls());
+        std::array<double, 2>{density_[0] * part.side(0), density_[1] * part.side(1)}, places_.points(),
+        places_.walls());
 }
 
 // Lines may cross the border outside of the face.

@@ -10,9 +10,9 @@ namespace nrb::mesh {
 
 class BorderStrip {
 public:
-    // `extra`: further places of triangles.
+    // `extra`: further places of triangles. `density`: how many cells there are on a step along each axis, in proportion.
     BorderStrip(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
-                const std::set<std::array<double, 2>> &extra);
+                const std::set<std::array<double, 2>> &extra, const std::array<double, 2> &density);
 
     struct Piece {
         std::array<int32_t, 3> sites;
@@ -52,6 +52,7 @@ private:
 
     const MeshDomain &domain_;
     const CellGrid &cells_;
+    std::array<double, 2> density_;
     StripPlaces places_;
     std::unique_ptr<const Strip> strip_;
 };

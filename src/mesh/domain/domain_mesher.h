@@ -41,6 +41,7 @@ private:
 
     [[nodiscard]] CellRule cell_rule() const;
     void coarsen(double factor) noexcept;
+    [[nodiscard]] std::array<double, 2> density_of_cells() const;
     [[nodiscard]] Side side_of(const Rectangle &part) const;
     void look_at_cells();
     void make_cells();
@@ -50,7 +51,7 @@ private:
     void prove();
     [[nodiscard]] Distances distances(size_t triangle) const noexcept;
     [[nodiscard]] MeshTriangle mesh_triangle(const SiteTriangle &triangle) const noexcept;
-    [[nodiscard]] bool is_border(const Site &site) const noexcept;
+    [[nodiscard]] bool is_border(const Site &from, const Site &to) const noexcept;
     [[nodiscard]] std::array<int32_t, 3> points_of(const SiteTriangle &triangle) const noexcept {
         return {sites_[triangle.sites[0]].point, sites_[triangle.sites[1]].point,
                 sites_[triangle.sites[2]].point};
@@ -124,7 +125,8 @@ private:
     double chord_, longest_, angle_; // that triangles are made for
     double least_;                   // in the units of the grid
     CellGrid cells_;
-    double most_apart_; // of unit normals
+    double most_apart_;               // of unit normals
+    std::array<double, 2> density_{}; // of cells on steps along the axes
     Sites sites_;
     TriangleProof proof_;
     std::set<std::array<double, 2>> extra_; // places of the strip besides

@@ -183,14 +183,18 @@ std::vector<Interval> TriangleProof::in_blocks(const Rectangle &part, size_t k) 
 
 // Curves beside their segments, in all blocks into which these reach: each has first derivatives of its own, and in each a way is no
 // longer than the part of it.
-double TriangleProof::moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part) {
-    double moves = 0;
+TriangleProof::Moves TriangleProof::moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part) {
+    Moves moves{};
     for (const Interval &u : in_blocks(part, 0)) {
         for (const Interval &v : in_blocks(part, 1)) {
             const Rectangle own{{u.lower, v.lower}, {u.upper, v.upper}};
             const PieceRange pieces = nets_.pieces_in(own);
-            moves += pieces.count() <= most_pieces ? moves_over(triangle, nets_.box(own, pieces), own, 1)
-                                                   : infinity;
+            const bool few = pieces.count() <= most_pieces;
+            const Moves here = few ? moves_over(triangle, nets_.box(own, pieces), own, 1)
+                                   : Moves{infinity, infinity, infinity};
+            for (size_t k = 0; k < 3; ++k) {
+                moves[k] += triangle.border[k] < 0 ? 0 : here[k];
+            }
         }
     }
     return moves;
@@ -211,6 +215,50 @@ void TriangleProof::widen(const SiteTriangle &triangle, Rectangle &part) const n
     }
 }
 
+// By how much shares of the corners change between a side and its curve: a step is as much of a corner as of the area, with the side in front of
+// that.
+std::array<double, 3> TriangleProof::shares_of_step(const SiteTriangle &triangle, const Placed &placed,
+                                                    size_t side) const noexcept {
+    const BorderSegment &segment = domain_.border.segments[static_cast<size_t>(triangle.border[side])];
+    const auto step = [&](size_t from, size_t to) {
+        const auto &a = placed.corners[from % 3].param, &b = placed.corners[to % 3].param;
+        return std::array<double, 2>{b[0] - a[0], b[1] - a[1]};
+    };
+    const auto ab = step(0, 1), ac = step(0, 2);
+    const double area = std::abs(ab[0] * ac[1] - ab[1] * ac[0]);
+    std::array<double, 3> shares{};
+    for (size_t k = 0; k < 3; ++k) {
+        const auto along = step(k + 1, k + 2);
+        const double one = segment.over[0] * along[1], other = segment.over[1] * along[0],
+                     most = std::abs(one) + std::abs(other);
+        shares[k] = ((segment.across ? std::abs(one - other) : most) + 16 * eps * most) / area * (1 + 1e-9);
+    }
+    return shares;
+}
+
+// What is between side k and its curve is within a step of the side, in the domain. Its height over the plane, where N is a height,
+// is at most 1/2 sum |l_i l_j N_ij|, with the most N_ij of the second derivative along the sides (pairs.h; the l_i may be negative, and what is
+// affine in them is larger by as much); in the plane it is as far from the side as the image of that and the surface on the step. Both
+// hold likewise for the way from a place of the triangle below to the curve.
+void TriangleProof::set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves,
+                             TriangleBound &bound) const noexcept {
+    for (size_t k = 0; k < 3; ++k) {
+        if (triangle.border[k] < 0) {
+            continue;
+        }
+        const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const std::array<double, 3> shares = shares_of_step(triangle, placed, k);
+        const double all = 1 + shares[k] + 2 * std::max(shares[i], shares[j]);
+        const double high = (all * all / 8 * bound.bends[k] +
+                             shares[k] * all / 2 * std::max(bound.bends[i], bound.bends[j])) *
+                                all * (1 + 2 * shares[k]) +
+                            bound.flat;
+        const double apart = diagonal(high, bound.across[k] + moves[k]) * (1 + 16 * eps);
+        const double least = std::max(bound.sides[k], bound.height) + moves[k];
+        bound.edge = std::max(bound.edge, apart < least ? apart : least);
+    }
+}
+
 ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     Placed place = placed(triangle);
     const auto &corners = place.corners;
@@ -221,53 +269,57 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     ProvenTriangle result{{}, leaves(place.part, block) ? infinity : place.moved};
     widen(triangle, place.part);
     const bool inside = is_in(place.part, block);
-    result.over += inside ? 0 : moves_in_blocks(triangle, place.part);
+    Moves moves = inside ? Moves{} : moves_in_blocks(triangle, place.part);
     place.part = in_block(place.part, block);
     const PieceRange pieces = nets_.pieces_in(place.part);
     if (pieces.count() > most_pieces) {
-        result.bound = over_cells(place, number, triangle, result.over);
+        result.bound = over_cells(place, number, triangle, moves);
+        set_edge(triangle, place, moves, result.bound);
         return result;
     }
     const HessianBox box = nets_.box(place.part, pieces);
-    result.over += inside ? moves_over(triangle, box, place.part) : 0;
+    moves = inside ? moves_over(triangle, box, place.part) : moves;
     const CellPart here{&box, place.part};
     result.bound = triangle_bound(corners, {&here, 1});
+    const double off = result.over + *std::ranges::max_element(moves);
     if (pieces.count() > 1 &&
-        !(std::max(result.bound.from_shape(), result.bound.from_mesh()) + result.over <= chord_)) {
-        take_better(by_pieces_.bound(corners, pieces, block, chord_ - result.over), result.bound);
+        !(std::max(result.bound.from_shape(), result.bound.from_mesh()) + off <= chord_)) {
+        take_better(by_pieces_.bound(corners, pieces, block, chord_ - off), result.bound);
     }
+    set_edge(triangle, place, moves, result.bound);
     return result;
 }
 
-double TriangleProof::moves_over(const SiteTriangle &triangle, const HessianBox &box, const Rectangle &cell,
-                                 double most) const {
-    double moves = 0;
-    for (const int32_t border : triangle.border) {
-        moves = border < 0 ? moves
-                           : std::max(moves, move_over(domain_.border.segments[static_cast<size_t>(border)],
-                                                       box, cell, most));
+TriangleProof::Moves TriangleProof::moves_over(const SiteTriangle &triangle, const HessianBox &box,
+                                               const Rectangle &cell, double most) const {
+    Moves moves{};
+    for (size_t k = 0; k < 3; ++k) {
+        if (const int32_t border = triangle.border[k]; border >= 0) {
+            moves[k] = move_over(domain_.border.segments[static_cast<size_t>(border)], box, cell, most);
+        }
     }
     return moves;
 }
 
 TriangleBound TriangleProof::over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
-                                        double &over) const {
+                                        Moves &moves) const {
     std::vector<HessianBox> boxes;
     std::vector<CellPart> cells;
-    double moves = 0;
     cells_.tree().for_each_in(placed.part, [&](int32_t number) {
         const Cell &cell = cells_.tree().cells()[static_cast<size_t>(number)];
         if (cell.block == block) {
             const Rectangle own = cells_.tree().rectangle(cell);
             boxes.push_back(cells_.tree().box(number));
             cells.push_back({nullptr, own});
-            moves = std::max(moves, moves_over(triangle, boxes.back(), own));
+            const Moves here = moves_over(triangle, boxes.back(), own);
+            for (size_t k = 0; k < 3; ++k) {
+                moves[k] = std::max(moves[k], here[k]);
+            }
         }
     });
     for (size_t i = 0; i < cells.size(); ++i) {
         cells[i].box = &boxes[i];
     }
-    over += moves;
     return triangle_bound(placed.corners, cells);
 }
 

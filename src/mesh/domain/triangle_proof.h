@@ -20,8 +20,7 @@ struct SiteTriangle {
 
 struct ProvenTriangle {
     TriangleBound bound;
-    double over =
-        0; // besides: how far the corners, and what is between sides and curves of the border, are from the surface over it
+    double over = 0; // besides: how far the corners are from the surface
 };
 
 class TriangleProof {
@@ -49,13 +48,18 @@ private:
     [[nodiscard]] Placed placed(const SiteTriangle &triangle) const;
     [[nodiscard]] ProvenTriangle in_cell(const SiteTriangle &triangle);
     [[nodiscard]] ProvenTriangle in_strip(const SiteTriangle &triangle);
+    using Moves = std::array<double, 3>; // of places between sides and curves of the border, from these sides
     [[nodiscard]] TriangleBound over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
-                                           double &over) const;
+                                           Moves &moves) const;
     // Ways are counted up to so many sides of the cell.
-    [[nodiscard]] double moves_over(const SiteTriangle &triangle, const HessianBox &box,
-                                    const Rectangle &cell, double most = infinity) const;
+    [[nodiscard]] Moves moves_over(const SiteTriangle &triangle, const HessianBox &box, const Rectangle &cell,
+                                   double most = infinity) const;
     [[nodiscard]] std::vector<Interval> in_blocks(const Rectangle &part, size_t k) const;
-    [[nodiscard]] double moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part);
+    [[nodiscard]] Moves moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part);
+    [[nodiscard]] std::array<double, 3> shares_of_step(const SiteTriangle &triangle, const Placed &placed,
+                                                       size_t side) const noexcept;
+    void set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves,
+                  TriangleBound &bound) const noexcept;
     void widen(const SiteTriangle &triangle, Rectangle &part) const noexcept;
 
     const MeshDomain &domain_;

@@ -10,8 +10,10 @@ namespace {
 
 // Chords of 57 and of 29 degrees.
 constexpr double most_turned = 0.95, most_turned_by_sides = 0.5;
-// At poles there are more.
-constexpr int32_t most_around = 64;
+// Sines of angles are told of directions of view that are no farther off; and a little is left for rounding.
+constexpr double share_of_sines = 0.99;
+// Of two angles at a corner: with 45 degrees more they are less than all around it, as seen along the normal of the first one.
+constexpr double most_own = 2.35, most_other = 1.83;
 constexpr double more = 1 + 64 * eps;
 
 bool is_zero(const Vector3 &v) noexcept {
@@ -48,51 +50,6 @@ void MeshBound::set_point(int32_t number) {
     if (point.angle > (point.on_border ? 2 : 3) * std::numbers::pi) {
         point.turned = 2;
     }
-}
-
-double MeshBound::turns_at(int32_t number) {
-    double &turns = points_[static_cast<size_t>(number)].turns;
-    if (turns < 0) {
-        turns = find_turns(number);
-    }
-    return turns;
-}
-
-// Sides at the border may turn inwards instead.
-double MeshBound::find_turns(int32_t number) {
-    const std::span<const int32_t> fan = fans_.of(number);
-    if (std::ssize(fan) > most_around) {
-        return infinity;
-    }
-    around_.clear();
-    for (const int32_t triangle : fan) {
-        const auto &corners = triangles_[static_cast<size_t>(triangle)].points;
-        for (size_t k = 0; k < 3; ++k) {
-            if (corners[k] == number) {
-                around_.push_back({triangle, corners[(k + 1) % 3], corners[(k + 2) % 3], k});
-            }
-        }
-    }
-    double turns = 0;
-    const auto add = [&](const Corner &from, size_t side, const Corner &over) {
-        turns = std::max(turns, bounds_[static_cast<size_t>(from.triangle)].turns[from.corner][side] /
-                                    bounds_[static_cast<size_t>(over.triangle)].sines[over.corner]);
-    };
-    for (const Corner &a : around_) {
-        const auto &border = triangles_[static_cast<size_t>(a.triangle)].border;
-        for (size_t m = 0; m < 2; ++m) {
-            if (border[(a.corner + 1 + m) % 3]) {
-                add(a, m, a);
-            }
-        }
-        for (const Corner &b : around_) {
-            if (a.next == b.previous) { // across side `corner + 2` of a, which is `corner + 1` of b
-                add(a, 1, b);
-                add(b, 0, a);
-            }
-        }
-    }
-    return turns;
 }
 
 void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const noexcept {
@@ -144,17 +101,43 @@ MeshBound::Neighbour MeshBound::across(size_t triangle, size_t side) const noexc
     return {};
 }
 
+// Whether, at the ends of a side, the surface over the triangle comes out within the angles of the triangle across, and images of the other
+// sides of that are within them.
+bool MeshBound::is_beside(size_t triangle, size_t side, const Neighbour &next) const noexcept {
+    const TriangleBound &own = bounds_[triangle], &other = bounds_[static_cast<size_t>(next.triangle)];
+    const double cosine = dot(own.normal, other.normal) - 8 * eps;
+    bool result = length(own.normal - other.normal) + 8 * eps < most_turned_by_sides;
+    for (const size_t end : {size_t{1}, size_t{2}}) { // they run along the side in opposite directions
+        const size_t k = (side + end) % 3, j = (next.side + 3 - end) % 3;
+        const double most = share_of_sines * cosine * cosine * other.sines[j];
+        // Of corner k, side k + 1 comes first and side k + 2 second: the common one in the first triangle, the other one in the second.
+        result = result && own.turns[k][2 - end] < most && other.leans[j][2 - end] < most &&
+                 other.turns[j][2 - end] < share_of_sines * cosine &&
+                 (own.angles[k] < most_own || other.angles[j] < most_other);
+    }
+    return result;
+}
+
 Distances MeshBound::over_side(size_t triangle, size_t side) const noexcept {
     const TriangleBound &own = bounds_[triangle];
     const Neighbour next = across(triangle, side);
-    if (next.triangle < 0) {
+    if (next.triangle < 0 || !is_beside(triangle, side, next)) {
         return {infinity, infinity};
     }
     const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
     const double cosine = dot(own.normal, other.normal) - 8 * eps,
                  sine = length(cross(own.normal, other.normal)) + 8 * eps;
-    return {own.height + own.outs[side] * (sine / cosine),
-            std::max(other.height * cosine + other.outs[next.side] * sine, other.height / cosine)};
+    const double over = other.outs[next.side] * sine;
+    const double covered = std::max(other.height * cosine + over, other.height / cosine);
+    const double beyond =
+        other.edge > 0 ? other.edge + (std::min(other.edge, other.outs[next.side]) + covered) * sine : 0;
+    return {own.height + own.outs[side] * (sine / cosine), std::max(covered, beyond)};
+}
+
+Distances MeshBound::over_border(size_t triangle, size_t side) const noexcept {
+    const TriangleBound &own = bounds_[triangle];
+    const bool along = own.turns[(side + 1) % 3][1] < infinity && own.turns[(side + 2) % 3][0] < infinity;
+    return {along ? diagonal(own.height, own.outs[side]) : infinity, own.sides[side]};
 }
 
 // tan a <= 1.02 c / (1 - c^2 / 2) for a chord c.
@@ -167,12 +150,10 @@ Distances MeshBound::by_star(size_t triangle, const Around &around) const noexce
 
 Distances MeshBound::by_sides(size_t triangle) const noexcept {
     const TriangleBound &own = bounds_[triangle];
-    Distances result{own.height, own.height};
+    Distances result{std::max(own.height, own.edge), std::max(own.height, own.edge)};
     for (size_t k = 0; k < 3; ++k) {
-        const double border = std::max(point_of(triangle, k + 1).border, point_of(triangle, k + 2).border);
-        const Distances over = triangles_[triangle].border[k]
-                                   ? Distances{diagonal(own.height, own.outs[k]), border}
-                                   : over_side(triangle, k);
+        const Distances over =
+            triangles_[triangle].border[k] ? over_border(triangle, k) : over_side(triangle, k);
         result.from_shape = std::max(result.from_shape, over.from_shape * more);
         result.from_mesh = std::max(result.from_mesh, over.from_mesh * more);
     }
@@ -180,7 +161,7 @@ Distances MeshBound::by_sides(size_t triangle) const noexcept {
 }
 
 // By the star first, which takes the least time.
-Distances MeshBound::distances(size_t triangle, double enough) {
+Distances MeshBound::distances(size_t triangle, double enough) const {
     const TriangleBound &own = bounds_[triangle];
     Distances best{own.from_shape(), own.from_mesh()};
     const auto take = [&](const Distances &other) {
@@ -189,19 +170,11 @@ Distances MeshBound::distances(size_t triangle, double enough) {
     };
     const Around all = around(triangle);
     const double cosine = 1 - all.turned * all.turned / 2;
-    if (!(all.turned < most_turned &&
-          std::max(all.out + all.height, all.beside) < 0.99 * all.altitude * cosine)) {
-        return best;
-    }
-    if (all.border == 0) {
+    if (all.border == 0 && all.turned < most_turned &&
+        std::max(all.out + all.height, all.beside) < 0.99 * all.altitude * cosine) {
         take(by_star(triangle, all));
     }
-    if (best.most() <= enough || !(all.turned < most_turned_by_sides)) {
-        return best;
-    }
-    const auto &p = triangles_[triangle].points;
-    const double turns = std::max({turns_at(p[0]), turns_at(p[1]), turns_at(p[2])});
-    if (turns < 0.99 * cosine * cosine) {
+    if (!(best.most() <= enough)) {
         take(by_sides(triangle));
     }
     return best;

@@ -34,7 +34,9 @@ class Bend {
 public:
     // q[m][k]: H along side k in corner m; rest[k]: what the radius adds along side k, rest[3]: on the whole triangle.
     Bend(const std::array<Four, 3> &q, const Four &rest) noexcept
-        : rest_(rest), largest_(greatest(abs(q[0]), greatest(abs(q[1]), abs(q[2]))) + rest) {
+        : rest_(rest), largest_(greatest(abs(q[0]), greatest(abs(q[1]), abs(q[2]))) + rest),
+          least_(greatest(q[0] * -1, greatest(q[1] * -1, q[2] * -1)) + rest),
+          most_(greatest(q[0], greatest(q[1], q[2])) + rest) {
         const Four from(q[1][0], q[2][1], q[0][2], 0), to(q[2][0], q[0][1], q[1][2], 0), both = from + to;
         means_ = both * 0.5;
         differences_ = abs(to - from) * (1.0 / 12);
@@ -67,9 +69,13 @@ public:
 
     // The most of the second derivative along side k, on the whole triangle.
     [[nodiscard]] double largest(size_t k) const noexcept { return largest_[k]; }
+    // The same by its sign, and at least 0: N is above its interpolant by no more than the sum of l_i l_j / 2 times where it falls, and below
+    // by where it rises. S. Waldron: The error in linear interpolation at the vertices of a simplex, SIAM J. Numer. Anal. 35, 1998.
+    [[nodiscard]] double falling(size_t k) const noexcept { return std::max(least_[k], 0.0); }
+    [[nodiscard]] double rising(size_t k) const noexcept { return std::max(most_[k], 0.0); }
 
 private:
-    Four rest_, largest_, means_, differences_; // of sides
+    Four rest_, largest_, least_, most_, means_, differences_; // of sides
     double product_, all_;
 };
 

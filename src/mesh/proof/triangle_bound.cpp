@@ -71,9 +71,11 @@ private:
     // What comes out over a side, and by what share of the way to the other corner.
     struct Turning {
         double out, share, high;
+        double in; // how far the image of the side comes inside, with heights
     };
     [[nodiscard]] Turning turning(size_t side, const Bend &across, double high, double area) const noexcept;
     [[nodiscard]] double turn(size_t k, size_t side, const Turning &over, const Four &bends) const noexcept;
+    [[nodiscard]] double lean(size_t side, const Turning &over, const Four &bends) const noexcept;
     [[nodiscard]] Four bends_about(size_t k) const noexcept;
     void set_turns(const std::array<Turning, 3> &over, TriangleBound &result) const noexcept;
 
@@ -157,7 +159,7 @@ bool Triangle::is_cut(size_t k, double half_cosine_squared) const noexcept {
     }
     const Vector3 inwards = (1 / lengths_[j]) * sides_[j] - (1 / lengths_[i]) * sides_[i];
     const Bend outwards = bend(-1 / length(inwards) * inwards, corner(k).point);
-    return fits(outwards.largest(i), outwards.largest(j), outwards.largest(k));
+    return fits(outwards.falling(i), outwards.falling(j), outwards.falling(k));
 }
 
 // How far corners are from a plane that is to contain them all.
@@ -220,11 +222,11 @@ double Triangle::sine(size_t k, double area) const noexcept {
 // l_E (w |PE| - |V''| / 2) less what l_K moves, and heights h, of which half may count, are at most (1 + p) l_E h / 2.
 Triangle::Turning Triangle::turning(size_t side, const Bend &across, double high,
                                     double area) const noexcept {
-    const double out = across.largest(side) / 2;
+    const double out = across.falling(side) / 2;
     const double in = least_weight_ * area * inverse_[side] -
-                      std::max(across.largest((side + 1) % 3), across.largest((side + 2) % 3)) / 2;
+                      std::max(across.falling((side + 1) % 3), across.falling((side + 2) % 3)) / 2;
     const double share = in > high ? (out + high) / (in - high) : infinity;
-    return {out, share, (1 + share) * high};
+    return {out, share, (1 + share) * high, across.rising(side) / 2 + high};
 }
 
 double Triangle::turn(size_t k, size_t side, const Turning &over, const Four &bends) const noexcept {
@@ -242,12 +244,21 @@ void Triangle::set_turns(const std::array<Turning, 3> &over, TriangleBound &resu
     for (size_t k = 0; k < 3; ++k) {
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         auto &turns = result.turns[k];
-        turns = {turn(k, i, over[i], bends_), turn(k, j, over[j], bends_)};
-        if (!(std::max(turns[0], turns[1]) < result.sines[k] / 2)) {
-            const Four bends = bends_about(k);
+        const auto set = [&](const Four &bends) {
             turns = {turn(k, i, over[i], bends), turn(k, j, over[j], bends)};
+            result.leans[k] = {lean(i, over[i], bends), lean(j, over[j], bends)};
+        };
+        set(bends_);
+        if (!(std::max(turns[0], turns[1]) < result.sines[k] / 2)) {
+            set(bends_about(k));
         }
     }
+}
+
+// The same on the side, where l_K is 0.
+double Triangle::lean(size_t side, const Turning &over, const Four &bends) const noexcept {
+    const double along = least_weight_ * lengths_[side] - bends[side] / 2 - over.in;
+    return along > 0 ? over.in / along * rounding : infinity;
 }
 
 Four Triangle::bends_about(size_t k) const noexcept {
@@ -269,6 +280,7 @@ TriangleBound Triangle::bound() const noexcept {
     const double flat = off(normal), slack = flat + 8 * eps * longest_;
     TriangleBound result;
     result.normal = normal;
+    result.flat = flat;
     result.altitude = area / longest_ * (1 - 16 * eps);
     const double per_weight = 1 / least_weight_;
     result.height = (heights.both() * per_weight + flat) * rounding;
@@ -282,11 +294,15 @@ TriangleBound Triangle::bound() const noexcept {
         const double below = least_weight_ * area * inverse_[k];
         result.outs[k] = across.above(k, below / rounding) * per_weight + slack;
         result.out = std::max(result.out, result.outs[k]);
-        const double beside = runs_along(k)
-                                  ? diagonal(heights.on_side(k), across.on_side(k)) * per_weight + slack
-                                  : equal_parameters();
+        const bool along = runs_along(k);
+        const double beside =
+            along ? diagonal(heights.on_side(k), across.on_side(k)) * per_weight + slack : equal_parameters();
         result.sides[k] = beside * rounding;
         result.beside = std::max(result.beside, result.sides[k]);
+        result.bends[k] = heights.largest(k) * per_weight * rounding;
+        if (along) {
+            result.across[k] = (across.on_side(k) * per_weight + slack) * rounding;
+        }
     }
     result.out *= sharpness();
     if (result.out > result.height) {

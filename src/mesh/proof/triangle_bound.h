@@ -51,10 +51,18 @@ struct TriangleBound {
     double beside = 0;             // how far from the sides their images are
     std::array<double, 3> sides{}; // from each of them
     std::array<double, 3> outs{};  // how far the surface comes out over each side, in the plane
+    // In the plane alone, how far images of sides are from them; the most of the second derivatives of heights along the sides; and how far
+    // corners are from the plane.
+    std::array<double, 3> across{infinity, infinity, infinity}, bends{};
+    double flat = 0;
+    double edge =
+        0; // of places between sides and curves of the border from the mesh, and the other way: by triangle_proof.h
     // At corner k points of the surface come out over side k + 1, and over side k + 2, within an angle of this tangent, as
     // seen along a direction up to 30 degrees off the normal.
     std::array<std::array<double, 2>, 3> turns{
         {{infinity, infinity}, {infinity, infinity}, {infinity, infinity}}};
+    // Likewise the angles within which the images of the sides themselves come inside.
+    std::array<std::array<double, 2>, 3> leans = turns;
     std::array<double, 3>
         sines{};             // of the angles, and 1 of those that are obtuse as seen along such a direction
     double whole = infinity; // no point of the surface is farther from the triangle
@@ -64,9 +72,9 @@ struct TriangleBound {
 
     // By itself: the distance of every point of the part of the surface from the triangle, and the other way round.
     [[nodiscard]] double from_shape() const noexcept {
-        return std::min(diagonal(height, out) * (1 + 4 * eps), whole);
+        return std::max(std::min(diagonal(height, out) * (1 + 4 * eps), whole), edge);
     }
-    [[nodiscard]] double from_mesh() const noexcept { return std::max(height, beside); }
+    [[nodiscard]] double from_mesh() const noexcept { return std::max({height, beside, edge}); }
 };
 
 // The cells cover the triangle. Corners may be rounded; what that moves comes on top of these bounds. Infinite where weights may not

@@ -10,15 +10,36 @@ namespace {
 
 // However long and narrow a face is, so many places across remain.
 constexpr double narrowest = 0x1p-10;
+// Cells that are no longer than wide by this are taken as squares.
+constexpr double nearly_round = 0.6;
+
+// How long the sides are there.
+std::array<double, 2> grid_lengths(const std::array<double, 2> &lengths) noexcept {
+    const double longest = std::max(lengths[0], lengths[1]);
+    std::array<double, 2> result{};
+    for (size_t k = 0; k < 2; ++k) {
+        const double share = longest > 0 ? lengths[k] / longest : 1;
+        result[k] = grid_end * std::clamp(share, narrowest, 1.0);
+    }
+    return result;
+}
+
+GridMetric grid_metric(const std::array<double, 2> &lengths, const std::array<double, 2> &cells) noexcept {
+    const std::array<double, 2> on_grid = grid_lengths(lengths);
+    const double u = cells[0] / on_grid[0], v = cells[1] / on_grid[1], most = std::max(u, v);
+    if (!(most > 0) || !(most < infinity) || std::min(u, v) > most * nearly_round) {
+        return {};
+    }
+    const auto square = [&](double x) {
+        return static_cast<int32_t>(std::max(1.0, std::round(x / most * (x / most) * GridMetric::most)));
+    };
+    return {square(u), square(v)};
+}
 
 std::vector<GridPoint> on_grid(const Rectangle &part, const std::array<double, 2> &lengths,
                                const std::vector<std::array<double, 2>> &points) {
-    const double longest = std::max(lengths[0], lengths[1]);
-    std::array<double, 2> steps{};
-    for (size_t k = 0; k < 2; ++k) {
-        const double share = longest > 0 ? lengths[k] / longest : 1;
-        steps[k] = grid_end * std::clamp(share, narrowest, 1.0) / part.side(k);
-    }
+    const std::array<double, 2> sides = grid_lengths(lengths);
+    const std::array<double, 2> steps{sides[0] / part.side(0), sides[1] / part.side(1)};
     std::vector<GridPoint> result;
     for (const auto &point : points) {
         std::array<int32_t, 2> place{};
@@ -88,9 +109,9 @@ std::vector<GridPoint> beside_walls(std::vector<GridPoint> points, const std::ve
 
 } // namespace
 
-Strip::Strip(const Rectangle &part, const std::array<double, 2> &lengths,
+Strip::Strip(const Rectangle &part, const std::array<double, 2> &lengths, const std::array<double, 2> &cells,
              const std::vector<std::array<double, 2>> &points, const std::vector<Wall> &walls)
-    : triangulation_(beside_walls(on_grid(part, lengths, points), walls)),
+    : triangulation_(beside_walls(on_grid(part, lengths, points), walls), grid_metric(lengths, cells)),
       first_(triangulation_.vertices().size(), -1) {
     for (size_t i = points.size(); i-- > 0;) {
         first_[static_cast<size_t>(triangulation_.vertex_of(i))] = static_cast<int32_t>(i);

@@ -23,12 +23,12 @@ struct StripTriangle {
     std::array<bool, 3> fixed;      // sides that are walls, and not divisible
 };
 
-// The constrained Delaunay triangulation of places of the domain, on a grid of integers in which lengths are about as in space. Points that
-// fall on one place of the grid are one, the first of them.
+// The constrained Delaunay triangulation of places of the domain, on a grid of integers in which lengths are about as in space, in a metric in
+// which cells are square. Points that fall on one place of the grid are one, the first of them.
 class Strip {
 public:
-    // `lengths`: of the sides of the part of the domain, in space.
-    Strip(const Rectangle &part, const std::array<double, 2> &lengths,
+    // `lengths`: of the sides of the part of the domain, in space. `cells`: how many cells there are along each of them, in proportion.
+    Strip(const Rectangle &part, const std::array<double, 2> &lengths, const std::array<double, 2> &cells,
           const std::vector<std::array<double, 2>> &points, const std::vector<Wall> &walls);
 
     // Triangles that hang together without a wall between them. Of a group the sides are known but for which is which: on the way from one
