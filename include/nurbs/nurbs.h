@@ -8702,7 +8702,8 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
  * \param[in] count number of curves.
  * \param[in] curves [count] curves of dimension 2 in the domain of the surface, or in the plane that covers it, with positive weights.
  * \param[in] tolerance the largest distance in space that counts as none, >= 0, as far as parameters move points evenly over
- *   the surface; at least that of the face is.
+ *   the surface; at least the largest gap between the curves of its loops is. That of the face, which says how far its edges may
+ *   be off it, is that of the parts.
  * \param[out] out the new model of the parts, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
  *   _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance

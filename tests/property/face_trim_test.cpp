@@ -310,6 +310,38 @@ TEST(FaceTrim, CurvesThatCrossEachOther) {
     EXPECT_NEAR(area(trim(face.get(), pipe.get(), NURBS_TRIM_FRONT, coarse)), 2 * pi + 4, 1e-4);
 }
 
+// What a file says of how far edges may be off a face is often more than its details are large; and a border may lie beside a seam by
+// less than a curve over it leaves open.
+TEST(FaceTrim, WhateverTheFaceTolerates) {
+    for_each_case(9540, 30, [](Random &random, uint64_t seed) {
+        const Handle pipe = tube({0, 0, 0}, {0, 0, 1}, 1, 2);
+        const double from =
+                         (seed % 3 == 0 ? 0 : random.between(-1, 1) * std::pow(10, random.between(-13, -10))),
+                     to = 0.25 * random.whole(1, 3) + (seed % 2 == 0 ? from : 0);
+        const Handle border = rectangle(from, 0.1, to, 0.9);
+        const nurbs *const curve = border.get();
+        const int64_t size = 1;
+        nurbs_face *made_face = nullptr;
+        require_ok(
+            nurbs_face_create(pipe.get(), 1, &size, &curve, nullptr, nullptr, 0.05, 0, nullptr, &made_face));
+        const Face face(made_face);
+        const double all = 2 * pi * to * 1.6, tilt = random.between(-0.2, 0.2),
+                     off = random.between(0.5, 1.5);
+        const Point3 n{tilt * random.between(-1, 1), tilt * random.between(-1, 1), 1};
+        const double length = std::hypot(n[0], n[1], n[2]);
+        const Handle plane = square({n[0] / length, n[1] / length, n[2] / length}, off / length, 5);
+        const Model front = trim(face.get(), plane.get(), NURBS_TRIM_FRONT, coarse),
+                    back = trim(face.get(), plane.get(), NURBS_TRIM_BACK, coarse);
+        // z = off - n . (cos a, sin a) up to the angle that quarters of the circle end at
+        const double angle = 2 * pi * to,
+                     below = off * angle - n[0] * std::sin(angle) - n[1] * (1 - std::cos(angle));
+        EXPECT_NEAR(area(back), below - 0.2 * angle, 1e-5);
+        EXPECT_NEAR(area(front) + area(back), all, 1e-5);
+        EXPECT_EQ(faces_of(front.get()).size(), 1U);
+        EXPECT_EQ(faces_of(back.get()).size(), 1U);
+    });
+}
+
 // What touches inside of a torus crosses itself; as finely as this it is not told apart there.
 TEST(FaceTrim, WhatIsNotToldApartIsRefusedByName) {
     const Handle torus = made([](nurbs **out) {

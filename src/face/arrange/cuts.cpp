@@ -115,17 +115,19 @@ double Cuts::end_of(size_t curve, bool upper) const noexcept {
     return upper ? domain.upper : domain.lower;
 }
 
-// Whether no curve of its loop goes on at an end.
+// Whether no curve of its loop goes on just there: others may lie between both ends.
 bool Cuts::is_loose(size_t curve, bool upper) const {
+    constexpr double rounding = 0x1p-48;
     const std::vector<LoopCurve> &curves = hits_.curves();
     const auto own = std::ranges::equal_range(curves, curves[curve].loop, {}, &LoopCurve::loop);
-    const Point2 at = hits_.place(curve, end_of(curve, upper));
     const auto first = static_cast<size_t>(own.begin() - curves.begin());
+    const Point2 at = hits_.place(curve, end_of(curve, upper)), scaled = hits_.scaled(at);
+    const double least = rounding * (1 + std::abs(scaled[0]) + std::abs(scaled[1]));
     for (size_t other = first; other < first + own.size(); ++other) {
         for (const bool end : {false, true}) {
             const Point2 place = hits_.place(other, end_of(other, end));
             const bool itself = other == curve && end == upper;
-            if (!itself && hits_.distance(covering_.nearest_copy(place, at), at) <= near_) {
+            if (!itself && hits_.distance(covering_.nearest_copy(place, at), at) <= least) {
                 return false;
             }
         }
