@@ -323,7 +323,7 @@ TEST(FaceTrim, WhateverTheFaceTolerates) {
         const int64_t size = 1;
         nurbs_face *made_face = nullptr;
         require_ok(
-            nurbs_face_create(pipe.get(), 1, &size, &curve, nullptr, nullptr, 0.05, 0, nullptr, &made_face));
+            nurbs_face_create(pipe.get(), 1, &size, &curve, nullptr, nullptr, 0.3, 0, nullptr, &made_face));
         const Face face(made_face);
         const double all = 2 * pi * to * 1.6, tilt = random.between(-0.2, 0.2),
                      off = random.between(0.5, 1.5);
