@@ -7,7 +7,7 @@
 #include "base/checked.h"
 #include "base/error.h"
 #include "base/tolerance.h"
-#include "face/arrange/kept_side.h"
+#include "face/kept/kept_side.h"
 #include "face/arrange/regions.h"
 #include "face/arrange/split.h"
 #include "model/from_faces.h"

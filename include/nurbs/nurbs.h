@@ -8597,7 +8597,8 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * What results is bounded by exact parts of the curves that were given, and by whole ones where nothing meets them.
  *
  * **What is near.** Places that are no farther from each other than the tolerance are one node, and curves that run along
- * each other within it, from a knot or an end of one of them to another, are one edge, that of the first of them. Rounding
+ * each other within it, from a knot or an end of one of them to another, are one edge, that of the first of them. A curve that
+ * ends as near beside another one, or a border, ends on it. Rounding
  * leaves 2^-37 of the size of the domain, about 7e-12, in any case, and as much of the largest parameter. Farther than some of
  * that, and of the tolerance, from the curves the result is right. Where that cannot be told the call fails with NURBS_ERROR_NOT_CONVERGED and names the place.
  *
@@ -8701,7 +8702,8 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
  * \param[in] count number of curves.
  * \param[in] curves [count] curves of dimension 2 in the domain of the surface, or in the plane that covers it, with positive weights.
  * \param[in] tolerance the largest distance in space that counts as none, >= 0, as far as parameters move points evenly over
- *   the surface; at least that of the face is.
+ *   the surface; at least the largest gap between the curves of its loops is. That of the face, which says how far its edges may
+ *   be off it, is that of the parts.
  * \param[out] out the new model of the parts, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
  *   _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance
@@ -8734,8 +8736,12 @@ NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t cou
  * domain of the face is in front. A part that the surface does not come to is in front if P - Q points as N does, where P is a
  * place in it and Q the nearest point of the surface (nurbs_closest_points()), certified, and not on its border: there the
  * surface tells no side. A surface has to divide the face from border to border; one that ends inside of it is
- * refused. Where both only touch, in points or along curves, nothing is divided there; as long as it is undecided in the face how they
- * meet, or curves cross each other in it that are not told apart there, nothing is answered.
+ * refused. Where both only touch, in points or along curves, nothing is divided there.
+ *
+ * Curves that end in a node TOUCH, or in one UNDECIDED no larger than 16 tolerances, are continued by segments in the domain, no
+ * farther from the surface than the tolerance: to the pole that is there, else to the middle of the node, or from one to the
+ * other if there are two. So a face is cut through its poles and those of the surface, and by what crosses itself, as pipes of one
+ * size do. As long as it is undecided otherwise how both meet in the face, or where curves go on is not told by this, nothing is answered.
  * \param[in] face a face of a surface of dimension 3.
  * \param[in] surface of dimension 3, all of it; its own border does not trim it.
  * \param[in] side one of the NURBS_TRIM_ constants.

@@ -243,6 +243,53 @@ TEST(ClosedRegions, WedgesWithAnApexOnAPole) {
     });
 }
 
+// What runs once around has its inside to its left, however little of the domain that is.
+TEST(ClosedRegions, CapsOfAnySize) {
+    for_each_case(8996, 24, [](Random &random, uint64_t seed) {
+        const Ground ground(seed % 2 == 0 ? sphere() : cylinder());
+        const Face face = ground.face();
+        const double size = std::pow(10, random.between(-8, -0.5)), v = random.chance(50) ? size : 1 - size,
+                     from = random.unit();
+        Curves curves;
+        curves.push_back(ground.segment(from, v, random.chance(50) ? from + 1 : from - 1, v));
+        const Model parts = split(face.get(), curves);
+        ASSERT_EQ(parts_of(parts), 2);
+        for (const double side : {0.0, 1.0}) {
+            const Point place = ground.at(random.unit(), side + (v - side) * 0.5);
+            int inside = 0;
+            for (const Face &part : faces_of(parts.get())) {
+                int32_t own = 0;
+                require_ok(nurbs_face_classify(part.get(), 1, place.data(), 0, 0, 0, &own));
+                inside += own > 0 ? 1 : 0;
+            }
+            EXPECT_EQ(inside, 1) << v << " " << side;
+        }
+    });
+}
+
+// A curve that ends no farther beside the border, or another curve, than the tolerance divides as one that ends on it; farther away it
+// ends in the face.
+TEST(ClosedRegions, CurvesThatEndNearOthers) {
+    for_each_case(8998, 40, [](Random &random, uint64_t seed) {
+        const Ground ground(seed % 2 == 0 ? cylinder() : made([](nurbs **out) {
+            const double u[] = {4, 0, 0}, v[] = {0, 4, 0};
+            return nurbs_surface_plane(3, nullptr, u, v, out);
+        }));
+        const Face face = ground.face();
+        const double tolerance = std::pow(10, random.between(-9, -4)), share = tolerance / 4; // of the side
+        const auto gap = [&] { return share * std::pow(10, random.between(-6, -0.5)); };
+        Curves curves;
+        curves.push_back(ground.segment(0.1, 0, 0.2, 1));
+        curves.push_back(ground.segment(0.5, gap(), 0.6, 1 - gap()));
+        EXPECT_EQ(parts_of(split(face.get(), curves, tolerance)), seed % 2 == 0 ? 2 : 3);
+        curves.push_back(ground.segment(0.15 + gap(), 0.5, 0.55 - gap(), 0.5));
+        EXPECT_EQ(parts_of(split(face.get(), curves, tolerance)), seed % 2 == 0 ? 3 : 4);
+        curves.pop_back();
+        curves.push_back(ground.segment(0.15 + 64 * share, 0.5, 0.55, 0.5));
+        EXPECT_EQ(parts_of(split(face.get(), curves, tolerance)), seed % 2 == 0 ? 2 : 3);
+    });
+}
+
 // Circles in general position divide a sphere into crossings + connected sets of circles + 1 parts.
 TEST(ClosedRegions, PlanesDivideASphere) {
     for_each_case(8990, 40, [](Random &random, uint64_t) {

@@ -18,6 +18,10 @@ using intersect::HitKind;
 // Marks of a node are no farther from it than so many times what is near.
 constexpr double widest_node = 16;
 
+bool holds(Interval range, double t) noexcept {
+    return range.lower <= t && t <= range.upper;
+}
+
 } // namespace
 
 Cuts::Cuts(const Covering &covering, const LoopHits &hits, double near)
@@ -46,6 +50,8 @@ void Cuts::add_marks() {
     for (const LoopHit &hit : hits_.all()) {
         if (hit.kind == HitKind::tangent || hit.kind == HitKind::undecided || is_short(hit)) {
             add_touch(hit);
+        } else if (hit.kind == HitKind::contact) {
+            add_reached(hit);
         }
     }
 }
@@ -83,6 +89,50 @@ void Cuts::add_touch(const LoopHit &hit) {
                         : on_a != nullptr ? hits_.foot(hit.b, beside(hit, at_a), hit.range_b)
                                           : hit.at_b;
     links_.emplace_back(add(hit.a, at_a), add(hit.b, at_b));
+}
+
+// A curve that ends as near as that beside another one ends on it, or it would divide nothing.
+void Cuts::add_reached(const LoopHit &hit) {
+    for (const bool upper : {false, true}) {
+        if (const double t = end_of(hit.a, upper); holds(hit.range_a, t) && is_loose(hit.a, upper)) {
+            link_near({hit.a, t}, {hit.b, hits_.foot(hit.b, beside(hit, t), hit.range_b)}, hit.move);
+        }
+        if (const double t = end_of(hit.b, upper); holds(hit.range_b, t) && is_loose(hit.b, upper)) {
+            const Point2 place = moved(hits_.place(hit.b, t), hit.move);
+            link_near({hit.a, hits_.foot(hit.a, place, hit.range_a)}, {hit.b, t}, hit.move);
+        }
+    }
+}
+
+void Cuts::link_near(const Mark &a, const Mark &b, const Point2 &move) {
+    if (hits_.distance(hits_.place(a.curve, a.at), moved(hits_.place(b.curve, b.at), move)) <= near_) {
+        links_.emplace_back(add(a.curve, a.at), add(b.curve, b.at));
+    }
+}
+
+double Cuts::end_of(size_t curve, bool upper) const noexcept {
+    const Interval domain = hits_.curves()[curve].spline->axis(0).domain();
+    return upper ? domain.upper : domain.lower;
+}
+
+// Whether no curve of its loop goes on just there: others may lie between both ends.
+bool Cuts::is_loose(size_t curve, bool upper) const {
+    constexpr double rounding = 0x1p-48;
+    const std::vector<LoopCurve> &curves = hits_.curves();
+    const auto own = std::ranges::equal_range(curves, curves[curve].loop, {}, &LoopCurve::loop);
+    const auto first = static_cast<size_t>(own.begin() - curves.begin());
+    const Point2 at = hits_.place(curve, end_of(curve, upper)), scaled = hits_.scaled(at);
+    const double least = rounding * (1 + std::abs(scaled[0]) + std::abs(scaled[1]));
+    for (size_t other = first; other < first + own.size(); ++other) {
+        for (const bool end : {false, true}) {
+            const Point2 place = hits_.place(other, end_of(other, end));
+            const bool itself = other == curve && end == upper;
+            if (!itself && hits_.distance(covering_.nearest_copy(place, at), at) <= least) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 // An end of the curve in a range, or hardly farther from a place in it, else the nearest mark to that; null for none.
@@ -219,8 +269,7 @@ void Cuts::join_near(const std::vector<Point2> &places, DisjointSets &sets) cons
 }
 
 bool Cuts::is_end(const Mark &mark) const noexcept {
-    const Interval domain = hits_.curves()[mark.curve].spline->axis(0).domain();
-    return mark.at == domain.lower || mark.at == domain.upper;
+    return mark.at == end_of(mark.curve, false) || mark.at == end_of(mark.curve, true);
 }
 
 // A set is named by the first of its marks.

@@ -48,6 +48,10 @@ private:
     void add_marks(const LoopHit &hit);
     [[nodiscard]] bool is_short(const LoopHit &hit) const;
     void add_touch(const LoopHit &hit);
+    void add_reached(const LoopHit &hit);
+    void link_near(const Mark &a, const Mark &b, const Point2 &move);
+    [[nodiscard]] double end_of(size_t curve, bool upper) const noexcept;
+    [[nodiscard]] bool is_loose(size_t curve, bool upper) const;
     [[nodiscard]] const Mark *mark_in(size_t curve, Interval range, double at) const;
     void add_marks_under_overlaps();
     Mark add(size_t curve, double t);

@@ -183,13 +183,22 @@ FacePtr face_of(const Face &face, const Arrangement &arrangement, const PartLoop
     return std::make_shared<const Face>(std::move(parts), nullptr);
 }
 
+// That of a face only says how far its edges may be off it, in files often more than its details are large: what has to be one
+// place are the ends of its curves.
+double near_on(const Face &face, double tolerance) {
+    for (const Loop &loop : face.loops()) {
+        tolerance = std::max(tolerance, largest_gap(*face.surface(), face.covering(), loop));
+    }
+    return tolerance;
+}
+
 } // namespace
 
 SplitFace split_with_sides(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
-    const double near = std::max(tolerance, face.tolerance());
     if (face.has_gaps()) {
         fail(Status::gap, "the face has gaps larger than its tolerance");
     }
+    const double near = near_on(face, tolerance);
     check_border_curves(curves);
     std::vector<ArrangedLoop> loops = loops_of(face, of_face);
     for (const SplinePtr &curve : curves) {
@@ -205,7 +214,7 @@ SplitFace split_with_sides(const Face &face, std::span<const SplinePtr> curves, 
     Coedges coedges(face, face.covering(), arrangement, near);
     std::vector<FacePtr> faces;
     for (const PartLoops &part : PartsWithin(arrangement, border).list(!corner.sums().empty())) {
-        faces.push_back(face_of(face, arrangement, part, ends, near, coedges));
+        faces.push_back(face_of(face, arrangement, part, ends, std::max(near, face.tolerance()), coedges));
         set_sides(arrangement, part, result.parts.emplace_back(SplitPart{faces.back()}));
     }
     if (faces.empty()) {

@@ -111,7 +111,7 @@ void TrimMap::turn_loops(std::vector<LoopShape> loops, const std::vector<std::op
 }
 
 // What is passed says how much values differ. Loops that run along each other, as both sides of a seam do, leave slivers between
-// them, so that what holds over most of the columns decides.
+// them, so that what holds over most of the columns decides, where what is around the surface does not.
 void TrimMap::set_corner(const std::vector<LoopShape> &loops, bool astray) {
     constexpr double sliver = 0x1p-20, most_astray = 0x1p-7; // of all columns
     corner_ = 0;
@@ -130,12 +130,21 @@ void TrimMap::set_corner(const std::vector<LoopShape> &loops, bool astray) {
         }
     }
     if (height(dominant) >= (1 - sliver) * total) {
-        lower = mostly_inside(loops) ? dominant - 1 : dominant;
+        const double above = height(dominant + 1), below = height(dominant - 1);
+        const bool tells = above != below && is_told_by_around(loops);
+        lower = (tells ? above < below : mostly_inside(loops)) ? dominant - 1 : dominant;
     }
     corner_ = -lower;
     if (!astray && total - height(lower) - height(lower + 1) > most_astray * total) {
         fail_astray();
     }
+}
+
+// Loops that run around have the inside to their left, however little that is. Two of them in one place cut a surface open that closes
+// along both axes.
+bool TrimMap::is_told_by_around(const std::vector<LoopShape> &loops) const {
+    const auto around = std::ranges::count_if(loops, &LoopShape::around);
+    return around % 2 == 1 || (around > 0 && !(covering_->closed(0) && covering_->closed(1)));
 }
 
 // Names a loop that has its right side where others have the left one, if there is one.

@@ -74,6 +74,7 @@ private:
     checked_sums(const std::vector<LoopShape> &loops) const;
     void turn_loops(std::vector<LoopShape> loops, const std::vector<std::optional<PassedSums>> &found);
     void set_corner(const std::vector<LoopShape> &loops, bool astray);
+    [[nodiscard]] bool is_told_by_around(const std::vector<LoopShape> &loops) const;
     [[noreturn]] void fail_astray() const;
     // Columns through loops, and through the widest parts of the domain between ends of pieces.
     [[nodiscard]] std::vector<double> probe_columns() const;

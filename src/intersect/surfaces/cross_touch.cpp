@@ -11,7 +11,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr size_t most_cells = 64, most_normals = 4;
+constexpr size_t most_cells = 64, most_normals = 4; // of each surface
 constexpr int most_cuts = 256;
 constexpr double small_part = 0x1p-5; // of both surfaces
 
@@ -145,12 +145,19 @@ bool CrossTouch::is_spot(const std::array<Interval, 4> &ranges) const {
 
 bool CrossTouch::is_touch(const std::array<Interval, 4> &ranges) const {
     Cells cells;
-    if (!add_parts(0, ranges, cells) || !add_parts(1, ranges, cells) || !are_small(cells, small_part) ||
+    if (!add_parts(0, ranges, cells)) {
+        return false;
+    }
+    const size_t of_a = cells.size();
+    if (!add_parts(1, ranges, cells) || !are_small(cells, small_part) ||
         !std::ranges::all_of(cells, [](CrossCell &cell) { return cell.prepare(); })) {
         return false;
     }
     bool near = are_small(cells, tolerance_);
-    for (size_t i = 0; i < std::min(cells.size(), most_normals) && !near; ++i) {
+    for (size_t i = 0; i < cells.size() && !near; ++i) {
+        if ((i < of_a ? i : i - of_a) >= most_normals) {
+            continue;
+        }
         const Vector3 normal = cross(cells[i].slope(0), cells[i].slope(1));
         const double size = length(normal);
         near = size > 0 && thickness(cells, (1 / size) * normal) <= tolerance_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "face/arrange/kept_side.h"
+#include "face/kept/kept_side.h"
 
 #include "base/error.h"
 #include "base/numbers.h"
@@ -7,8 +7,10 @@
 #include "closest/closest.h"
 #include "eval/evaluate.h"
 #include "face/arrange/split.h"
+#include "face/kept/bridges.h"
 #include "face/places_inside.h"
 #include "intersect/surfaces/surface_surface.h"
+#include "refine/parts/cut.h"
 
 #include <algorithm>
 #include <array>
@@ -21,10 +23,11 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-void check_decided(const Face &face, const intersect::Meet &meet) {
-    for (const intersect::MeetNode &node : meet.nodes) {
+void check_decided(const Face &face, const intersect::Meet &meet, const Bridges &bridges) {
+    for (size_t i = 0; i < meet.nodes.size(); ++i) {
+        const intersect::MeetNode &node = meet.nodes[i];
         const auto &[u, v] = node.range;
-        if (node.kind == intersect::NodeKind::undecided &&
+        if (node.kind == intersect::NodeKind::undecided && !bridges.nodes[i] &&
             !is_outside(face, {u.lower, v.lower}, {u.upper, v.upper})) {
             if (meet.limited) {
                 end_for_work();
@@ -49,17 +52,22 @@ void check_told_apart(const intersect::Meet &meet) {
     }
 }
 
-// How far curves may be from what both have in common.
-double near_of(const intersect::Meet &meet, double tolerance) {
+// Without curves along which the face stays on one side; and how far all may be from what both have in common.
+double add_dividing(const intersect::Meet &meet, const Bridges &bridges, double tolerance,
+                    std::vector<SplinePtr> &curves) {
     double near = tolerance;
-    for (const intersect::MeetBranch &branch : meet.branches) {
-        if (branch.kind == intersect::BranchKind::touch) {
+    for (size_t i = 0; i < meet.branches.size(); ++i) {
+        const intersect::MeetBranch &branch = meet.branches[i];
+        const Interval domain = branch.on->axis(0).domain(), kept = bridges.kept[i];
+        if (branch.kind == intersect::BranchKind::touch || !(kept.lower < kept.upper)) {
             continue;
         }
         if (!std::isfinite(branch.deviation)) {
             fail(Status::not_converged, "a curve in which the surface meets the face is not proven");
         }
         near = std::max(near, branch.deviation);
+        const bool whole = kept.lower == domain.lower && kept.upper == domain.upper;
+        curves.push_back(whole ? branch.on : refine::restrict_axis(branch.on, 0, kept.lower, kept.upper));
     }
     return near;
 }
@@ -126,14 +134,11 @@ int side_of(const Face &part, const Sides &sides) {
 std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, SurfaceSide side,
                                double tolerance) {
     const intersect::Meet meet = intersect::surface_intersections(*face.surface(), *surface, tolerance);
-    check_decided(face, meet);
-    std::vector<SplinePtr> curves;
-    for (const intersect::MeetBranch &branch : meet.branches) {
-        if (branch.kind != intersect::BranchKind::touch) { // along which the face stays on one side
-            curves.push_back(branch.on);
-        }
-    }
-    const SplitFace split = split_with_sides(face, curves, near_of(meet, tolerance));
+    const Bridges bridged = bridges(face, *surface, meet, tolerance);
+    check_decided(face, meet, bridged);
+    std::vector<SplinePtr> curves = bridged.curves;
+    const double near = add_dividing(meet, bridged, tolerance, curves);
+    const SplitFace split = split_with_sides(face, curves, near);
     if (split.loose) {
         check_told_apart(meet);
         fail(Status::incompatible, "the surface ends inside of the face at (%s, %s)",
@@ -143,6 +148,7 @@ std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, Surfa
     std::vector<FacePtr> kept;
     for (const SplitPart &part : split.parts) {
         if (part.left && part.right) {
+            check_told_apart(meet);
             fail(Status::incompatible, "a part of the face lies on both sides of the surface");
         }
         const int own = part.left ? 1 : part.right ? -1 : side_of(*part.face, sides);
