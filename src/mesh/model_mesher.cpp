@@ -19,9 +19,9 @@ constexpr int most_edge_rounds = 12;
 constexpr int most_attempts = 12;
 // Triangles of faces that are kept so that these can go on: some ten megabytes.
 constexpr size_t most_kept = size_t{1} << 17;
-// Where the work is not enough: what is left for faces may be less than they seem to need by so much; by what the next distance is
-// larger, at least, and as a multiple of that.
-constexpr double too_much = 1.5, least_coarser = 2, coarser_by = 1.5;
+// Where the work is not enough: faces may seem to need more than there is by so much; distances may be larger by so
+// much; what is wanted in all where it ended in a face, as a multiple of what others and that one took.
+constexpr double too_much = 1.15, most_off = 8, unknown_rest = 2;
 // Times that segments of a border which cross others are divided without becoming fewer.
 constexpr int most_in_vain = 6;
 // Of the tolerance, for edges: their segments, and what faces make of them.
@@ -112,7 +112,7 @@ std::optional<Mesh> ModelMesher::mesh(bool may_fail) {
     for (int round = 0; round < most_edge_rounds && has_old(); ++round) {
         const Phase phase;
         mesh_faces(round + 1 == most_edge_rounds);
-        if (may_fail_ && failure_ > 0) {
+        if (may_fail_ && wanted_work_ > 0) {
             return std::nullopt;
         }
     }
@@ -137,7 +137,7 @@ void ModelMesher::mesh_faces(bool last) {
     for (size_t i = 0; i < parts_.size(); ++i, steps.next()) {
         if (old_[i]) {
             judge(i, shares_.run(i, [&] { mesh_face(i, last); }));
-            if (may_fail_ && failure_ > 0) {
+            if (may_fail_ && wanted_work_ > 0) {
                 return;
             }
         }
@@ -146,12 +146,10 @@ void ModelMesher::mesh_faces(bool last) {
 
 // After a face for which the work was enough or not.
 void ModelMesher::judge(size_t face, bool enough) noexcept {
-    const double off = std::max(parts_[face].from_shape, parts_[face].from_mesh),
-                 pressure = shares_.pressure();
-    if (!enough && off > most_off * rule_.chord) {
-        failure_ = most_off;
-    } else if (pressure > too_much) {
-        failure_ = std::clamp(coarser_by * pressure, least_coarser, most_off);
+    const bool far =
+        !enough && std::max(parts_[face].from_shape, parts_[face].from_mesh) > most_off * rule_.chord;
+    if (far || shares_.pressure() > too_much) {
+        wanted_work_ = (far ? unknown_rest : 1) * shares_.expected();
     }
 }
 

@@ -19,9 +19,6 @@ void append(const DomainMesh &part, Mesh &mesh);
 
 class ModelMesher {
 public:
-    // Distances may be larger by so much where the work for a face has ended.
-    static constexpr double most_off = 8;
-
     // With what is expected of each face, as for WorkShares.
     ModelMesher(const model::Model &model, const MeshRule &rule, std::vector<double> work_of_faces);
     ~ModelMesher();
@@ -30,8 +27,8 @@ public:
 
     // None if it may fail, and the work is not enough for triangles about as near as the rule wants them.
     std::optional<Mesh> mesh(bool may_fail);
-    // After that: by what distances are better larger.
-    [[nodiscard]] double failure() const noexcept { return failure_; }
+    // After that: what would have been enough, roughly.
+    [[nodiscard]] double wanted_work() const noexcept { return wanted_work_; }
 
 private:
     struct FaceWork;
@@ -54,7 +51,7 @@ private:
     MeshRule rule_;
     WorkShares shares_;
     bool may_fail_ = false;
-    double failure_ = 0;
+    double wanted_work_ = 0;
     ModelEdges edges_;
     std::vector<DomainMesh> parts_;
     std::vector<std::unique_ptr<FaceWork>> works_; // of faces that go on where they are old

@@ -19,9 +19,10 @@ namespace nrb::mesh {
 
 namespace {
 
-// Where the work is not enough: distances that are tried, and the share of the work for each but the last.
+// Where the work is not enough: distances that are tried; the share of the work for each but the last; by what the next distance is
+// larger, so that what this one wants comes down to less than there is, as it falls with a power of the distance.
 constexpr int most_distances = 4;
-constexpr double share_of_first = 0.65;
+constexpr double share_of_first = 0.65, reserve = 1.3, growth = 0.7, least_coarser = 2, most_coarser = 64;
 
 double extent_of_faces(const model::Model &model) {
     std::vector<Interval> box;
@@ -62,6 +63,11 @@ std::vector<double> parts_of(std::vector<double> work, double factor) {
     return work;
 }
 
+std::optional<Mesh> mesh_with_part(ModelMesher &mesher, bool last) {
+    const PartOfWork part(last ? 1 : share_of_first);
+    return mesher.mesh(!last);
+}
+
 // Where the work ends there are triangles that nobody came to divide: those of a larger distance are nearer.
 Mesh mesh_within_work(const model::Model &model, const MeshRule &rule) {
     const double extent = extent_of_faces(model);
@@ -71,15 +77,16 @@ Mesh mesh_within_work(const model::Model &model, const MeshRule &rule) {
     double factor = 1;
     for (int attempt = 1; true; ++attempt) {
         const bool last = attempt == most_distances || !work_is_limited();
-        const PartOfWork part(last ? 1 : share_of_first);
         ModelMesher mesher(model, coarsened(own, factor), parts_of(work.faces, factor));
-        if (std::optional<Mesh> mesh = mesher.mesh(!last)) {
+        if (std::optional<Mesh> mesh = mesh_with_part(mesher, last)) {
             if (factor > 1 || own.chord > asked.chord) {
                 set_reached(asked, *mesh);
             }
             return *std::move(mesh);
         }
-        factor *= attempt * mesher.failure(); // less work is left for each
+        const double has = share_of_first * static_cast<double>(work_left());
+        factor *= std::clamp(std::pow(reserve * mesher.wanted_work() / has, 1 / growth), least_coarser,
+                             most_coarser);
     }
 }
 

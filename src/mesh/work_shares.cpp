@@ -18,6 +18,7 @@ constexpr double telling = 0.25;
 } // namespace
 
 void WorkShares::begin(const std::vector<bool> &faces) noexcept {
+    had_ = std::max(static_cast<double>(work_left()), 1.0);
     rest_ = done_ = taken_ = 0;
     for (size_t i = 0; i < expected_.size(); ++i) {
         rest_ += faces[i] ? expected_[i] : 0;
@@ -46,10 +47,6 @@ bool WorkShares::run(size_t face, const std::function<void()> &mesh) {
     done_ += own;
     taken_ += left - static_cast<double>(work_left());
     return enough;
-}
-
-double WorkShares::pressure() const noexcept {
-    return expected_.empty() ? 0 : needed() / std::max(static_cast<double>(work_left()), 1.0);
 }
 
 } // namespace nrb::mesh

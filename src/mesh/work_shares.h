@@ -19,14 +19,17 @@ public:
     // One of these, as the next one, with what others are not expected to need, somewhat more than its share at least. Returns whether
     // that was enough.
     [[nodiscard]] bool run(size_t face, const std::function<void()> &mesh);
-    // What the others of the round need by what faces took so far, as a multiple of what is left for them.
-    [[nodiscard]] double pressure() const noexcept;
+    // What the faces of the round take together, by what some took so far.
+    [[nodiscard]] double expected() const noexcept { return taken_ + needed(); }
+    // That as a multiple of what there was for them.
+    [[nodiscard]] double pressure() const noexcept { return expected_.empty() ? 0 : expected() / had_; }
 
 private:
     [[nodiscard]] double needed() const noexcept; // by those that follow
 
     std::vector<double> expected_;
-    double rest_ = 0;             // of what is expected in this round
+    double had_ = 1;              // before this round
+    double rest_ = 0;             // of what is expected in it
     double done_ = 0, taken_ = 0; // what was expected of faces so far, and what they took
 };
 

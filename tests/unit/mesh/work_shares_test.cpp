@@ -38,7 +38,7 @@ TEST(WorkShares, a_face_has_its_share_where_all_want_too_much) {
     WorkShares shares({1000, 1000, 1000, 1000});
     shares.begin({true, true, true, true});
     EXPECT_NEAR(static_cast<double>(given_to(shares, 0, 500)), 375, 1); // and a half
-    EXPECT_GT(shares.pressure(), 4);
+    EXPECT_DOUBLE_EQ(shares.pressure(), 3.5);                           // 500 and three times 1000, of 1000
 }
 
 TEST(WorkShares, what_faces_take_tells_what_others_will) {
@@ -47,7 +47,7 @@ TEST(WorkShares, what_faces_take_tells_what_others_will) {
     WorkShares shares({10, 10, 10});
     shares.begin({true, false, true});
     EXPECT_NEAR(static_cast<double>(given_to(shares, 0, 800)), 990, 1);
-    EXPECT_DOUBLE_EQ(shares.pressure(), 4); // as much again, of 200
+    EXPECT_DOUBLE_EQ(shares.pressure(), 1.6); // as much again, of 1000
 }
 
 TEST(WorkShares, without_expectations_each_has_all_that_is_left) {
