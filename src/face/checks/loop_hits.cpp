@@ -23,7 +23,7 @@ namespace {
 
 using intersect::Box3;
 
-constexpr double most_copies = 0x1p16; // of the domain, that curves run through
+constexpr double most_loop_copies = 0x1p16; // of the domain, that curves run through
 // A new spline, whatever the move: two curves that meet are never one value.
 SplinePtr scaled_copy(const Spline &curve, const Point2 &scale, const Point2 &move) {
     const double matrix[] = {scale[0], 0, 0, scale[1]};
@@ -139,10 +139,10 @@ void LoopHits::compare(size_t a, const intersect::BoxTree &tree) {
         if (covering_.closed(k)) {
             const double from = std::ceil((own.lower[at] - all.upper[at]) / period[at]),
                          to = std::floor((own.upper[at] - all.lower[at]) / period[at]);
-            if (!(std::max(std::abs(from), std::abs(to)) <= most_copies)) {
+            if (!(std::max(std::abs(from), std::abs(to)) <= most_loop_copies)) {
                 fail(Status::not_converged,
                      "curves run through %s copies of the domain along axis %d, expected at most %s",
-                     Number(std::max(std::abs(from), std::abs(to))).text, k, Number(most_copies).text);
+                     Number(std::max(std::abs(from), std::abs(to))).text, k, Number(most_loop_copies).text);
             }
             first[at] = static_cast<int64_t>(from);
             last[at] = static_cast<int64_t>(to);

@@ -73,9 +73,9 @@ double add_dividing(const intersect::Meet &meet, const Bridges &bridges, double 
 }
 
 // On which side of a surface points lie.
-class Sides {
+class SidesOfSurface {
 public:
-    Sides(const Spline &surface, double tolerance)
+    SidesOfSurface(const Spline &surface, double tolerance)
         : surface_(surface), covering_(surface, tolerance), tolerance_(tolerance) {}
 
     // 1 in front, -1 behind; 0 if the nearest point does not tell.
@@ -118,7 +118,7 @@ private:
     double tolerance_;
 };
 
-int side_of(const Face &part, const Sides &sides) {
+int side_of(const Face &part, const SidesOfSurface &sides) {
     for (const Point2 &place : places_inside(part)) {
         if (const int side = sides.of(point_at(*part.surface(), place)); side != 0) {
             return side;
@@ -144,7 +144,7 @@ std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, Surfa
         fail(Status::incompatible, "the surface ends inside of the face at (%s, %s)",
              Number((*split.loose)[0]).text, Number((*split.loose)[1]).text);
     }
-    const Sides sides(*surface, tolerance);
+    const SidesOfSurface sides(*surface, tolerance);
     std::vector<FacePtr> kept;
     for (const SplitPart &part : split.parts) {
         if (part.left && part.right) {

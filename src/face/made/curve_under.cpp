@@ -26,7 +26,7 @@ namespace {
 // Coordinates that differ by less than a step of this share of the tolerance in space are one.
 constexpr double share_of_same = 1e-3;
 // Of a domain, that a curve passes on one way.
-constexpr double most_copies = 4096;
+constexpr double most_crossed_copies = 4096;
 
 std::vector<double> points_at(const Spline &spline, std::span<const double> params) {
     const auto count = std::ssize(params) / spline.axes();
@@ -243,7 +243,7 @@ std::vector<double> rough_lines(const Spline &surface, const Covering &covering,
         return closed ? std::floor((x - covering.domain(k).lower) / covering.period(k)) : 0;
     };
     const double first = copy_of(low), more = copy_of(high) - first;
-    if (!(more <= most_copies)) {
+    if (!(more <= most_crossed_copies)) {
         return {};
     }
     for (int copy = 0; copy <= static_cast<int>(more); ++copy) {
