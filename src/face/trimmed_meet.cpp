@@ -309,6 +309,7 @@ private:
         }
         std::ranges::sort(near);
         std::vector<BorderPlace> places;
+        places.reserve(near.size());
         for (const auto &[apart, number] : near) {
             places.push_back(found.at[number].place);
         }
