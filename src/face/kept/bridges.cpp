@@ -270,7 +270,7 @@ private:
         }
         const std::vector<End> ends = ends_at(members, of);
         const Point2 at = ends.size() == 2 ? place(ends[0]) : node(first).at;
-        if (ends.size() != 1) {
+        if (ends.size() >= 2) { // what has none may divide a face that is no wider there
             bridge(members, of, [&](const Point2 &from) { return covering().nearest_copy(at, from); });
         }
     }
