@@ -233,16 +233,17 @@ public:
             fail(Status::gap, "%s[%zu] has gaps larger than its tolerance", name, number);
         }
         tolerance_ = std::max(tolerance_, face.tolerance());
-        gap_ = std::max(gap_, largest_gap(face));
+        // That of a region of the plane was asked for.
+        near_ = std::max(near_, is_region_plane(*own) ? face.tolerance() : largest_gap(face));
     }
 
     [[nodiscard]] const SplinePtr &get() const noexcept { return surface_; }
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
-    [[nodiscard]] double gap() const noexcept { return gap_; }
+    [[nodiscard]] double near() const noexcept { return near_; }
 
 private:
     SplinePtr surface_;
-    double tolerance_ = 0, gap_ = 0;
+    double tolerance_ = 0, near_ = 0;
 };
 
 } // namespace
@@ -277,7 +278,7 @@ std::vector<FacePtr> combined(std::span<const FacePtr> a, std::span<const FacePt
         return {};
     }
     RegionMaker maker(common.get(), std::max(tolerance, common.tolerance()),
-                      std::max(tolerance, common.gap()));
+                      std::max(tolerance, common.near()));
     for_each([&](const FacePtr &face, const char *, size_t, int32_t owner) { maker.add(face, owner); });
     return maker.make(inside_by(rule));
 }
