@@ -7,9 +7,9 @@
 #include "base/checked.h"
 #include "base/error.h"
 #include "base/tolerance.h"
-#include "face/kept/kept_side.h"
 #include "face/arrange/regions.h"
 #include "face/arrange/split.h"
+#include "face/kept/kept_side.h"
 #include "model/from_faces.h"
 #include "spline/kind.h"
 

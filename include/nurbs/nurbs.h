@@ -8668,7 +8668,8 @@ NURBS_API nurbs_status nurbs_region_create_with(int64_t count, const nurbs *cons
  * \param[in] a [count_a] faces of surfaces of dimension 3.
  * \param[in] count_b number of faces of b.
  * \param[in] b [count_b] such faces.
- * \param[in] tolerance the largest distance that counts as none, >= 0; at least that of the faces is.
+ * \param[in] tolerance the largest distance that counts as none, >= 0; at least that of regions of the plane is, and of other
+ *   faces the largest gap between the curves of their loops.
  * \param[out] out the new model, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another
  *   rule, _INCOMPATIBLE naming a face of another surface, _GAP naming a face whose loops have

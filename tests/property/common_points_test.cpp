@@ -1,6 +1,7 @@
 // Laws of the points that three surfaces have in common.
 #include "crossings.h"
 #include "made_shapes.h"
+#include "support/cases.h"
 #include "support/scale.h"
 
 #include <numbers>
@@ -225,6 +226,24 @@ TEST(CommonPoints, OrdersKnotsAndMotions) {
     }
     EXPECT_GE(compared, cases * 95 / 100);
     EXPECT_GE(points, cases / 2);
+}
+
+// Beside a seam by more or less than what rounding makes of it, each is told once, too.
+TEST(CommonPoints, BesideSeams) {
+    const Handle a = create(ball(1, {0, 0, 0}));
+    for_each_case(9560, 200, [&](Random &random, uint64_t) {
+        const double off = (random.chance(50) ? 1 : -1) * std::pow(10, random.between(-17, -8)),
+                     height = 1 - std::pow(10, random.between(-4, -0.1)),
+                     out = std::sqrt(1 - height * height - off * off);
+        const Handle beside = create(flat({0, off, 0}, {1, 0, 0}, {0, 0, 1})),
+                     level = create(flat({0, 0, height}, {1, 0, 0}, {0, 1, 0}));
+        const Common found = common_of(a.get(), beside.get(), level.get());
+        EXPECT_TRUE(found.complete);
+        ASSERT_EQ(found.size(), 2U) << off << " " << height;
+        for (const Point3 &x : found.points) {
+            EXPECT_LE(distance(x, {x[0] > 0 ? out : -out, off, height}), 1e-11);
+        }
+    });
 }
 
 // On knots, middles, borders, corners and seams each point is told once.

@@ -339,6 +339,8 @@ TEST(FaceTrim, WhateverTheFaceTolerates) {
         EXPECT_NEAR(area(front) + area(back), all, 1e-5);
         EXPECT_EQ(faces_of(front.get()).size(), 1U);
         EXPECT_EQ(faces_of(back.get()).size(), 1U);
+        EXPECT_NEAR(area(combine(NURBS_REGION_UNION, front, back)), all, 1e-5);
+        EXPECT_NEAR(area(combine(NURBS_REGION_DIFFERENCE, front, back)), area(front), 1e-5);
     });
 }
 

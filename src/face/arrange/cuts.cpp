@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -115,21 +116,30 @@ double Cuts::end_of(size_t curve, bool upper) const noexcept {
     return upper ? domain.upper : domain.lower;
 }
 
-// Whether no curve of its loop goes on just there: others may lie between both ends.
+// Whether no curve of its loop goes on just there: others may lie between both ends. Those beside it mostly do.
 bool Cuts::is_loose(size_t curve, bool upper) const {
     constexpr double rounding = 0x1p-48;
     const std::vector<LoopCurve> &curves = hits_.curves();
-    const auto own = std::ranges::equal_range(curves, curves[curve].loop, {}, &LoopCurve::loop);
-    const auto first = static_cast<size_t>(own.begin() - curves.begin());
     const Point2 at = hits_.place(curve, end_of(curve, upper)), scaled = hits_.scaled(at);
     const double least = rounding * (1 + std::abs(scaled[0]) + std::abs(scaled[1]));
-    for (size_t other = first; other < first + own.size(); ++other) {
-        for (const bool end : {false, true}) {
-            const Point2 place = hits_.place(other, end_of(other, end));
+    const auto goes_on = [&](size_t other) {
+        return std::ranges::any_of(std::array{false, true}, [&](bool end) {
             const bool itself = other == curve && end == upper;
-            if (!itself && hits_.distance(covering_.nearest_copy(place, at), at) <= least) {
-                return false;
-            }
+            const Point2 place = hits_.place(other, end_of(other, end));
+            return !itself && hits_.distance(covering_.nearest_copy(place, at), at) <= least;
+        });
+    };
+    const auto is_own = [&](size_t other) {
+        return other < curves.size() && curves[other].loop == curves[curve].loop;
+    };
+    if ((is_own(curve + 1) && goes_on(curve + 1)) || (is_own(curve - 1) && goes_on(curve - 1))) {
+        return false;
+    }
+    auto first = static_cast<size_t>(
+        std::ranges::lower_bound(curves, curves[curve].loop, {}, &LoopCurve::loop) - curves.begin());
+    for (; is_own(first); ++first) {
+        if (goes_on(first)) {
+            return false;
         }
     }
     return true;

@@ -4,6 +4,7 @@
 #include "build/polylines.h"
 #include "face/open_ends.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nrb::face {
@@ -50,6 +51,14 @@ int value_beyond(const Face &face, const EndPart &part, const End &end) {
 }
 
 } // namespace
+
+double largest_gap(const Face &face) {
+    double largest = 0;
+    for (const Loop &loop : face.loops()) {
+        largest = std::max(largest, largest_gap(*face.surface(), face.covering(), loop));
+    }
+    return largest;
+}
 
 std::vector<ArrangedLoop> loops_of(const Face &face, int32_t owner) {
     const Covering &covering = face.covering();

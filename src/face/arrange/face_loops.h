@@ -7,6 +7,10 @@
 
 namespace nrb::face {
 
+// Of the curves of all loops, in space: what has to be one place, however little the details of a face are. Its tolerance says how far
+// edges may be off it, which in files is often more.
+double largest_gap(const Face &face);
+
 // Its loops in their order, then what they leave open: segments that close gaps, and those along ends of the domain, poles among
 // them, which the face reaches without a curve. Together they go around places of the face once and around others never, if the domain is not
 // closed along both axes.

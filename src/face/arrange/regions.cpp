@@ -71,8 +71,9 @@ bool are_equal(const Spline &a, const Spline &b) {
 // The region of the places that are inside by the values of owners.
 class RegionMaker {
 public:
-    RegionMaker(SplinePtr surface, double tolerance)
-        : surface_(std::move(surface)), tolerance_(tolerance), covering_(*surface_, tolerance),
+    // tolerance: of the faces; near: what counts as no distance.
+    RegionMaker(SplinePtr surface, double tolerance, double near)
+        : surface_(std::move(surface)), tolerance_(tolerance), near_(near), covering_(*surface_, tolerance),
           map_(plane_map(*surface_)) {}
 
     [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
@@ -88,7 +89,7 @@ public:
         if (loops_.empty() && faces_.empty()) {
             return faces;
         }
-        const Arrangement arrangement(covering_, loops_, tolerance_);
+        const Arrangement arrangement(covering_, loops_, near_);
         AtCorner corner(arrangement);
         for (const auto &[face, owner] : faces_) {
             corner.add(*face, owner);
@@ -118,7 +119,7 @@ private:
         return std::make_shared<const Face>(std::move(parts), nullptr);
     }
     SplinePtr surface_;
-    double tolerance_;
+    double tolerance_, near_;
     Covering covering_;
     std::optional<PlaneMap> map_;
     std::vector<ArrangedLoop> loops_;
@@ -232,14 +233,17 @@ public:
             fail(Status::gap, "%s[%zu] has gaps larger than its tolerance", name, number);
         }
         tolerance_ = std::max(tolerance_, face.tolerance());
+        // That of a region of the plane was asked for.
+        near_ = std::max(near_, is_region_plane(*own) ? face.tolerance() : largest_gap(face));
     }
 
     [[nodiscard]] const SplinePtr &get() const noexcept { return surface_; }
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
+    [[nodiscard]] double near() const noexcept { return near_; }
 
 private:
     SplinePtr surface_;
-    double tolerance_ = 0;
+    double tolerance_ = 0, near_ = 0;
 };
 
 } // namespace
@@ -251,7 +255,7 @@ std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule,
     if (plane == nullptr) {
         return {};
     }
-    RegionMaker maker(plane, tolerance);
+    RegionMaker maker(plane, tolerance, tolerance);
     for (const Loop &loop : Chains(curves, tolerance + rounding * maker.extent()).loops()) {
         maker.add(loop, 0);
     }
@@ -273,7 +277,8 @@ std::vector<FacePtr> combined(std::span<const FacePtr> a, std::span<const FacePt
     if (common.get() == nullptr) {
         return {};
     }
-    RegionMaker maker(common.get(), std::max(tolerance, common.tolerance()));
+    RegionMaker maker(common.get(), std::max(tolerance, common.tolerance()),
+                      std::max(tolerance, common.near()));
     for_each([&](const FacePtr &face, const char *, size_t, int32_t owner) { maker.add(face, owner); });
     return maker.make(inside_by(rule));
 }

@@ -183,22 +183,13 @@ FacePtr face_of(const Face &face, const Arrangement &arrangement, const PartLoop
     return std::make_shared<const Face>(std::move(parts), nullptr);
 }
 
-// That of a face only says how far its edges may be off it, in files often more than its details are large: what has to be one
-// place are the ends of its curves.
-double near_on(const Face &face, double tolerance) {
-    for (const Loop &loop : face.loops()) {
-        tolerance = std::max(tolerance, largest_gap(*face.surface(), face.covering(), loop));
-    }
-    return tolerance;
-}
-
 } // namespace
 
 SplitFace split_with_sides(const Face &face, std::span<const SplinePtr> curves, double tolerance) {
     if (face.has_gaps()) {
         fail(Status::gap, "the face has gaps larger than its tolerance");
     }
-    const double near = near_on(face, tolerance);
+    const double near = std::max(tolerance, largest_gap(face));
     check_border_curves(curves);
     std::vector<ArrangedLoop> loops = loops_of(face, of_face);
     for (const SplinePtr &curve : curves) {

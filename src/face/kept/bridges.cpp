@@ -6,11 +6,13 @@
 #include "build/polylines.h"
 #include "closest/closest.h"
 #include "eval/curve_point.h"
+#include "refine/parts/cut.h"
+#include "refine/parts/join.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace nrb::face {
@@ -49,11 +51,8 @@ class Bridging {
 public:
     Bridging(const Face &face, const Spline &surface, const intersect::Meet &meet, double tolerance)
         : face_(face), surface_(surface), meet_(meet),
-          tolerance_(tolerance), result_{{}, std::vector<bool>(meet.nodes.size(), false), {}} {
-        for (const intersect::MeetBranch &branch : meet.branches) {
-            result_.kept.push_back(branch.on->axis(0).domain());
-        }
-    }
+          tolerance_(tolerance), result_{{}, std::vector<bool>(meet.nodes.size(), false)},
+          leads_to_(meet.branches.size()), left_out_(meet.branches.size()) {}
 
     Bridges run() {
         for (const size_t axis : {size_t{0}, size_t{1}}) {
@@ -68,6 +67,11 @@ public:
                 if (meet_.nodes[i].kind == kind && !result_.nodes[i]) {
                     bridge_place(i);
                 }
+            }
+        }
+        for (size_t i = 0; i < meet_.branches.size(); ++i) {
+            if (meet_.branches[i].kind != intersect::BranchKind::touch && !left_out_[i]) {
+                result_.curves.push_back(extended(i));
             }
         }
         return std::move(result_);
@@ -132,28 +136,27 @@ private:
         });
     }
 
-    [[nodiscard]] bool is_of(size_t branch, bool upper, const Members &members) const {
-        const int64_t own = meet_.branches[branch].nodes[upper ? 1 : 0];
-        return own >= 0 && std::ranges::binary_search(members, static_cast<size_t>(own));
+    // Seams count where what is beyond is a part of the place.
+    [[nodiscard]] bool is_of(const End &end, const Members &members, const std::vector<double> &of) const {
+        const int64_t own = meet_.branches[end.branch].nodes[end.upper ? 1 : 0];
+        return own >= 0 && (std::ranges::binary_search(members, static_cast<size_t>(own)) ||
+                            (meet_.nodes[static_cast<size_t>(own)].kind == NodeKind::seam &&
+                             is_within(static_cast<size_t>(own), of)));
     }
     // Of branches that divide.
     [[nodiscard]] std::vector<End> ends_at(const Members &members, const std::vector<double> &of) const {
         std::vector<End> ends;
         for (size_t i = 0; i < meet_.branches.size(); ++i) {
-            if (meet_.branches[i].kind == intersect::BranchKind::touch || is_left_out(i) ||
-                is_all_at(i, of)) {
+            if (meet_.branches[i].kind == intersect::BranchKind::touch || left_out_[i] || is_all_at(i, of)) {
                 continue;
             }
             for (const bool upper : {false, true}) {
-                if (is_of(i, upper, members)) {
+                if (is_of({i, upper}, members, of)) {
                     ends.push_back({i, upper});
                 }
             }
         }
         return ends;
-    }
-    [[nodiscard]] bool is_left_out(size_t branch) const {
-        return !(result_.kept[branch].lower < result_.kept[branch].upper);
     }
     // Rounding leaves branches along poles. Parameters are about lengths.
     [[nodiscard]] bool is_all_at(size_t branch, const std::vector<double> &of) const {
@@ -171,11 +174,44 @@ private:
         eval::end_point(*meet_.branches[end.branch].on, end.upper, x.data());
         return x;
     }
-    // Where it is cut off: the nearer to a pole a branch is, the shorter are the cubics that it consists of.
-    [[nodiscard]] double cut_at(const End &end) const {
-        const Interval domain = meet_.branches[end.branch].on->axis(0).domain();
-        const double length = std::min(4 * widest_place * tolerance_, (domain.upper - domain.lower) / 4);
-        return end.upper ? domain.upper - length : domain.lower + length;
+    // By how much it is cut off: the nearer to a pole a branch is, the shorter are the cubics that it consists of.
+    [[nodiscard]] double cut_of(size_t branch) const {
+        const Interval domain = meet_.branches[branch].on->axis(0).domain();
+        return std::min(4 * widest_place * tolerance_, (domain.upper - domain.lower) / 4);
+    }
+    [[nodiscard]] Point2 cut_place(const End &end) const {
+        const Spline &on = *meet_.branches[end.branch].on;
+        const Interval domain = on.axis(0).domain();
+        const double cut = cut_of(end.branch);
+        Point2 x;
+        eval::curve_point(on, end.upper ? domain.upper - cut : domain.lower + cut, false, x.data());
+        return x;
+    }
+    // To the places that its ends lead to.
+    [[nodiscard]] SplinePtr extended(size_t branch) const {
+        const SplinePtr &on = meet_.branches[branch].on;
+        const auto &[first, last] = leads_to_[branch];
+        if (!first && !last) {
+            return on;
+        }
+        const Interval domain = on->axis(0).domain();
+        const double cut = cut_of(branch);
+        const SplinePtr kept = refine::restrict_axis(on, 0, first ? domain.lower + cut : domain.lower,
+                                                     last ? domain.upper - cut : domain.upper);
+        const auto segment = [&](const Point2 &from, const Point2 &to) {
+            return build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, cut});
+        };
+        std::vector<SplinePtr> parts{kept};
+        Point2 end;
+        if (first) {
+            eval::end_point(*kept, false, end.data());
+            parts.insert(parts.begin(), segment(*first, end));
+        }
+        if (last) {
+            eval::end_point(*kept, true, end.data());
+            parts.push_back(segment(end, *last));
+        }
+        return refine::join(parts, 0, {0, false}).spline;
     }
 
     void bridge_pole(const PoleEnd &pole) {
@@ -201,20 +237,23 @@ private:
     template <class Place>
     void bridge(const Members &members, const std::vector<double> &of, Place &&place_for) {
         const std::vector<End> ends = ends_at(members, of);
-        std::vector<SplinePtr> segments;
+        std::vector<Point2> places;
         for (const End &end : ends) {
-            Point2 from;
-            eval::curve_point(*meet_.branches[end.branch].on, cut_at(end), false, from.data());
-            const Point2 to = place_for(from);
-            if (!add_segment(end.upper ? from : to, end.upper ? to : from, segments)) {
+            const Point2 from = cut_place(end);
+            places.push_back(place_for(from));
+            if (!is_along(from, places.back())) {
                 return;
             }
         }
-        for (const End &end : ends) {
-            Interval &kept = result_.kept[end.branch];
-            (end.upper ? kept.upper : kept.lower) = cut_at(end);
+        for (size_t i = 0; i < ends.size(); ++i) {
+            leads_to_[ends[i].branch][ends[i].upper ? 1 : 0] = places[i];
         }
-        settle(members, of, std::move(segments));
+        for (const size_t i : members) {
+            result_.nodes[i] = true;
+        }
+        for (size_t i = 0; i < meet_.branches.size(); ++i) {
+            left_out_[i] = left_out_[i] || is_all_at(i, of);
+        }
     }
 
     void bridge_place(size_t first) {
@@ -231,19 +270,15 @@ private:
         }
         const std::vector<End> ends = ends_at(members, of);
         const Point2 at = ends.size() == 2 ? place(ends[0]) : node(first).at;
-        if (ends.size() != 1) {
+        if (ends.size() >= 2) { // what has none may divide a face that is no wider there
             bridge(members, of, [&](const Point2 &from) { return covering().nearest_copy(at, from); });
         }
     }
 
-    // False: it is farther from the surface than the tolerance, or nobody knows.
-    [[nodiscard]] bool add_segment(const Point2 &from, const Point2 &to,
-                                   std::vector<SplinePtr> &segments) const {
+    // Whether a segment is no farther from the surface than the tolerance.
+    [[nodiscard]] bool is_along(const Point2 &from, const Point2 &to) const {
         constexpr int samples = 8;
         constexpr double rounding = 0x1p-44;
-        if (from == to) {
-            return true;
-        }
         for (int i = 0; i <= samples; ++i) {
             const double t = static_cast<double>(i) / samples;
             const std::vector<double> x =
@@ -254,20 +289,7 @@ private:
                 return false;
             }
         }
-        segments.push_back(build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1}));
         return true;
-    }
-
-    void settle(const Members &members, const std::vector<double> &of, std::vector<SplinePtr> segments) {
-        for (const size_t i : members) {
-            result_.nodes[i] = true;
-        }
-        for (size_t i = 0; i < meet_.branches.size(); ++i) {
-            if (!is_left_out(i) && is_all_at(i, of)) {
-                result_.kept[i].upper = result_.kept[i].lower;
-            }
-        }
-        std::ranges::move(segments, std::back_inserter(result_.curves));
     }
 
     const Face &face_;
@@ -275,6 +297,8 @@ private:
     const intersect::Meet &meet_;
     double tolerance_;
     Bridges result_;
+    std::vector<std::array<std::optional<Point2>, 2>> leads_to_; // of branches, their ends
+    std::vector<bool> left_out_;
 };
 
 } // namespace

@@ -11,13 +11,12 @@ namespace nrb::face {
 // that are left open but no larger than some tolerances, each is a place: branches that end there are continued to the pole of the
 // face that is in it, or to its middle; if one comes and one leaves, from the one to the other.
 struct Bridges {
-    std::vector<SplinePtr> curves; // segments in the plane that covers the domain, along the branches
+    std::vector<SplinePtr> curves; // that divide the face, in the plane that covers the domain
     std::vector<bool> nodes;       // those of which nothing is left open
-    std::vector<Interval>
-        kept; // of each branch, without its ends at such places; empty if all of it is in one
 };
 
-// Segments are no farther from the surface than the tolerance: else there are none.
+// Of the branches, but those along which surfaces touch. What they are continued by are segments no farther from the surface than
+// the tolerance, or it is nothing.
 Bridges bridges(const Face &face, const Spline &surface, const intersect::Meet &meet, double tolerance);
 
 } // namespace nrb::face

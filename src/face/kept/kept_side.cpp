@@ -10,7 +10,6 @@
 #include "face/kept/bridges.h"
 #include "face/places_inside.h"
 #include "intersect/surfaces/surface_surface.h"
-#include "refine/parts/cut.h"
 
 #include <algorithm>
 #include <array>
@@ -38,11 +37,12 @@ void check_decided(const Face &face, const intersect::Meet &meet, const Bridges 
     }
 }
 
-// Branches that cross each other end in such nodes.
-void check_told_apart(const intersect::Meet &meet) {
+// Branches that cross each other end in such nodes. known: those that are told.
+void check_told_apart(const intersect::Meet &meet, const std::vector<bool> &known) {
     for (const intersect::MeetBranch &branch : meet.branches) {
         for (const int64_t end : branch.nodes) {
-            if (end >= 0 && meet.nodes[static_cast<size_t>(end)].kind == intersect::NodeKind::touch) {
+            if (end >= 0 && !known[static_cast<size_t>(end)] &&
+                meet.nodes[static_cast<size_t>(end)].kind == intersect::NodeKind::touch) {
                 const Point2 &at = meet.nodes[static_cast<size_t>(end)].at;
                 fail(Status::not_converged,
                      "curves in which the surface meets the face are not told apart at (%s, %s)",
@@ -52,22 +52,17 @@ void check_told_apart(const intersect::Meet &meet) {
     }
 }
 
-// Without curves along which the face stays on one side; and how far all may be from what both have in common.
-double add_dividing(const intersect::Meet &meet, const Bridges &bridges, double tolerance,
-                    std::vector<SplinePtr> &curves) {
+// How far curves may be from what both have in common.
+double near_of(const intersect::Meet &meet, double tolerance) {
     double near = tolerance;
-    for (size_t i = 0; i < meet.branches.size(); ++i) {
-        const intersect::MeetBranch &branch = meet.branches[i];
-        const Interval domain = branch.on->axis(0).domain(), kept = bridges.kept[i];
-        if (branch.kind == intersect::BranchKind::touch || !(kept.lower < kept.upper)) {
+    for (const intersect::MeetBranch &branch : meet.branches) {
+        if (branch.kind == intersect::BranchKind::touch) {
             continue;
         }
         if (!std::isfinite(branch.deviation)) {
             fail(Status::not_converged, "a curve in which the surface meets the face is not proven");
         }
         near = std::max(near, branch.deviation);
-        const bool whole = kept.lower == domain.lower && kept.upper == domain.upper;
-        curves.push_back(whole ? branch.on : refine::restrict_axis(branch.on, 0, kept.lower, kept.upper));
     }
     return near;
 }
@@ -136,11 +131,9 @@ std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, Surfa
     const intersect::Meet meet = intersect::surface_intersections(*face.surface(), *surface, tolerance);
     const Bridges bridged = bridges(face, *surface, meet, tolerance);
     check_decided(face, meet, bridged);
-    std::vector<SplinePtr> curves = bridged.curves;
-    const double near = add_dividing(meet, bridged, tolerance, curves);
-    const SplitFace split = split_with_sides(face, curves, near);
+    const SplitFace split = split_with_sides(face, bridged.curves, near_of(meet, tolerance));
     if (split.loose) {
-        check_told_apart(meet);
+        check_told_apart(meet, bridged.nodes);
         fail(Status::incompatible, "the surface ends inside of the face at (%s, %s)",
              Number((*split.loose)[0]).text, Number((*split.loose)[1]).text);
     }
@@ -148,7 +141,7 @@ std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, Surfa
     std::vector<FacePtr> kept;
     for (const SplitPart &part : split.parts) {
         if (part.left && part.right) {
-            check_told_apart(meet);
+            check_told_apart(meet, std::vector<bool>(meet.nodes.size(), false));
             fail(Status::incompatible, "a part of the face lies on both sides of the surface");
         }
         const int own = part.left ? 1 : part.right ? -1 : side_of(*part.face, sides);

@@ -21,13 +21,15 @@ public:
 
     CommonPoints run() {
         add_points();
+        std::ranges::for_each(result_.list, [&](CommonPoint &point) { keep_in_domain(point); });
         add_open();
         std::ranges::sort(result_.list, {}, &CommonPoint::at);
         return std::move(result_);
     }
 
 private:
-    // What is on knots and middles is found in the parts on both of their sides.
+    // What is on knots and middles is found in the parts on both of their sides: where it is beside them by as little as boxes of
+    // parts are larger, too.
     void add_points() {
         std::vector<CommonPoint> points;
         std::ranges::copy_if(found_, std::back_inserter(points),
@@ -44,16 +46,29 @@ private:
     }
     [[nodiscard]] bool is_same(const CommonPoint &a, const CommonPoint &b) const noexcept {
         for (size_t i = 0; i < 6; ++i) {
-            const double period = period_of(i);
+            const Interval domain = domain_of(i);
+            const double period = period_of(i), room = 4 * shift_of_sides * (domain.upper - domain.lower);
             const auto meet = [&](double shift) {
-                return a.range[i].lower + shift <= b.range[i].upper &&
-                       a.range[i].upper + shift >= b.range[i].lower;
+                return a.range[i].lower + shift <= b.range[i].upper + room &&
+                       a.range[i].upper + shift >= b.range[i].lower - room;
             };
             if (!meet(0) && !(period > 0 && (meet(period) || meet(-period)))) {
                 return false;
             }
         }
         return true;
+    }
+
+    void keep_in_domain(CommonPoint &point) const noexcept {
+        for (size_t i = 0; i < 6; ++i) {
+            const Interval domain = domain_of(i);
+            Interval &range = point.range[i];
+            range = {std::min(std::max(range.lower, domain.lower), point.at[i]),
+                     std::max(std::min(range.upper, domain.upper), point.at[i])};
+        }
+    }
+    [[nodiscard]] Interval domain_of(size_t i) const noexcept {
+        return surfaces_[i / 2]->axis(static_cast<int>(i % 2)).domain();
     }
 
     // Those that touch on the first surface are one.
@@ -95,7 +110,7 @@ private:
     // What is on both sides of a seam begins in the domain.
     void set_middle(CommonPoint &open) const {
         for (size_t i = 0; i < 6; ++i) {
-            const Interval domain = surfaces_[i / 2]->axis(static_cast<int>(i % 2)).domain();
+            const Interval domain = domain_of(i);
             Interval &range = open.range[i];
             const double shift = range.lower < domain.lower ? period_of(i) : 0;
             range = {range.lower + shift, range.upper + shift};

@@ -204,12 +204,13 @@ void TripleSearch::add_point(const TripleParts &parts, const TripleChart::Found 
         const size_t k = i % 2;
         const Interval &range = part.piece().range[k];
         const auto parameter = [&](double place) {
-            return parameter_at(range, part.lower(k) + part.length(k) * place);
+            const double at = part.lower(k) + part.length(k) * place;
+            return range.lower * (1 - at) + range.upper * at;
         };
         const double rounding = 4 * eps * std::max(std::abs(range.lower), std::abs(range.upper));
-        hit.range[i] = {std::max(parameter(found.range[i].lower) - rounding, range.lower),
-                        std::min(parameter(found.range[i].upper) + rounding, range.upper)};
-        hit.at[i] = std::clamp(parameter(found.at[i]), hit.range[i].lower, hit.range[i].upper);
+        hit.range[i] = {parameter(found.range[i].lower) - rounding,
+                        parameter(found.range[i].upper) + rounding};
+        hit.at[i] = std::clamp(parameter(found.at[i]), range.lower, range.upper);
     }
     const Vector3 x = parts[0]->piece().evaluate(parts[0]->in_piece(found.at.data())).at;
     hit.point = {frame_.original(0, x.x), frame_.original(1, x.y), frame_.original(2, x.z)};
