@@ -113,8 +113,8 @@ void CrossSearch::settle_crowds() {
         }
     }
     crowds_.settle();
-    for (const auto &[pair, first, thickness] : flat_) {
-        crowds_.is_crowded(pair.of) ? add(pair) : halve(pair, first);
+    for (const auto &[pair, cut, thickness] : flat_) {
+        crowds_.is_crowded(pair.of) ? add(pair) : halve(pair, cut);
     }
     flat_.clear();
     settle_side_by_side();
@@ -186,28 +186,65 @@ void CrossSearch::look(Pair pair) {
         return;
     }
     if (!pair.a->prepare() || !pair.b->prepare()) {
-        halve(pair, !pair.a->prepare());
+        halve(pair, {!pair.a->prepare(), std::nullopt});
         return;
     }
-    box_.a = pair.a;
-    box_.b = pair.b;
-    switch (box_.chart.set(*pair.a, *pair.b)) {
+    switch (set_chart(pair)) {
     case CrossChart::Verdict::apart:
         return;
-    case CrossChart::Verdict::chart: {
-        const ArcFinder::Verdict verdict = finder_.look(box_);
-        if (verdict == ArcFinder::Verdict::arc) {
-            count_work(work_of_a_kept_part);
-            found_.arcs.push_back(finder_.arc());
-        } else if (verdict == ArcFinder::Verdict::open) {
-            halve({pair.a, pair.b, pair.of, true, pair.no_contact}, box_.chart.first_bends_more());
-        }
+    case CrossChart::Verdict::chart:
+        look_for_arc(pair);
         return;
-    }
     case CrossChart::Verdict::bent:
     case CrossChart::Verdict::flat:
         look_at_flat(pair);
     }
+}
+
+// Where planes of tangents are nearly one, a sheared one if no other is there.
+CrossChart::Verdict CrossSearch::set_chart(const Pair &pair) {
+    constexpr double nearly = 0.9;
+    box_.a = pair.a;
+    box_.b = pair.b;
+    cut_.reset();
+    parts_ = {};
+    const CrossChart::Verdict verdict = box_.chart.set(*pair.a, *pair.b);
+    if (verdict == CrossChart::Verdict::apart || verdict == CrossChart::Verdict::chart ||
+        !are_parallel(*pair.a, *pair.b, nearly)) {
+        return verdict;
+    }
+    const CrossChart::Verdict sheared = box_.chart.set_sheared(*pair.a, *pair.b, shear_);
+    if (sheared != CrossChart::Verdict::flat) {
+        const bool of_a = box_.chart.axis() < 2; // what the shear starts from
+        cut_ = {shear_.cut().first == of_a, shear_.cut().axis};
+        parts_ = shear_.parts();
+        first_is_x_ = of_a;
+        if (box_.chart.is_coupled()) {
+            cut_ = {of_a, box_.chart.axis() % 2};
+        }
+    }
+    if (sheared != CrossChart::Verdict::flat) {
+        return sheared;
+    }
+    return verdict;
+}
+
+void CrossSearch::look_for_arc(const Pair &pair) {
+    const ArcFinder::Verdict verdict = finder_.look(box_);
+    if (verdict == ArcFinder::Verdict::arc) {
+        count_work(work_of_a_kept_part);
+        found_.arcs.push_back(finder_.arc());
+    } else if (verdict == ArcFinder::Verdict::open) {
+        divide({pair.a, pair.b, pair.of, true, pair.no_contact}, usual_cut(pair));
+    }
+}
+
+CrossSearch::Cut CrossSearch::usual_cut(const Pair &pair) const noexcept {
+    if (cut_) {
+        return *cut_;
+    }
+    const bool by_rows = box_.chart.has_rows();
+    return {by_rows ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size(), std::nullopt};
 }
 
 // Whether both are one sheet of a surface, or side by side on it.
@@ -297,8 +334,7 @@ void CrossSearch::look_at_flat(Pair pair) {
     if (thickness < 0 || look_for_contact(pair)) {
         return;
     }
-    const bool first =
-        box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size();
+    const Cut cut = usual_cut(pair);
     if (thickness <= thick * error) {
         if (!pair.graph && !are_side_by_side(*pair.a, *pair.b)) {
             add(pair);
@@ -309,23 +345,35 @@ void CrossSearch::look_at_flat(Pair pair) {
     if (crowded && (thin || are_parallel(*pair.a, *pair.b, 0.8))) {
         add(pair);
     } else if (thin || are_along(pair)) {
-        flat_.push_back({pair, first, thickness});
+        flat_.push_back({pair, cut, thickness});
     } else {
-        halve(pair, first);
+        divide(pair, cut);
     }
 }
 
-void CrossSearch::halve(const Pair &pair, bool first) {
+void CrossSearch::divide(const Pair &pair, const Cut &cut) {
+    if (!take_parts(pair)) {
+        halve(pair, cut);
+    }
+}
+
+void CrossSearch::halve(const Pair &pair, const Cut &cut) {
     const double error = 4 * (pair.a->piece().error + pair.b->piece().error);
     const bool pole = pair.a->has_pole() || pair.b->has_pole(); // where parts never have charts
     const double small = pole ? std::max(error, tolerance_ / 4) : error;
-    for (const bool of_a : {first, !first}) {
+    for (const bool of_a : {cut.first, !cut.first}) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
-        if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
-            for (size_t end = 0; end < 2; ++end) {
-                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.of,
-                                 pair.graph, pair.no_contact});
+        const CrossCell::Halves halves =
+            cell.size() > small
+                ? cell.halves((of_a ? a_ : b_).parts, of_a == cut.first ? cut.axis : std::nullopt)
+                : CrossCell::Halves{};
+        for (CrossCell *half : halves) {
+            if (half != nullptr) {
+                next_.push_back(
+                    {of_a ? half : pair.a, of_a ? pair.b : half, pair.of, pair.graph, pair.no_contact});
             }
+        }
+        if (halves[0] != nullptr) {
             return;
         }
     }
@@ -334,15 +382,33 @@ void CrossSearch::halve(const Pair &pair, bool first) {
     }
 }
 
+// What a shear leaves of the present pair; false: that is not far less.
+bool CrossSearch::take_parts(const Pair &pair) {
+    const CrossCell &x = first_is_x_ ? *pair.a : *pair.b, &y = first_is_x_ ? *pair.b : *pair.a;
+    std::array<CrossCell *, 2> of_x{};
+    CrossCell *const of_y = parts_.count > 0 ? y.part((first_is_x_ ? b_ : a_).parts, parts_.of_y) : nullptr;
+    for (size_t i = 0; i < parts_.count && of_y != nullptr; ++i) {
+        of_x[i] = x.part((first_is_x_ ? a_ : b_).parts, parts_.of_x[i]);
+    }
+    if (of_x[0] == nullptr || (parts_.count == 2 && of_x[1] == nullptr)) {
+        return false;
+    }
+    for (CrossCell *part : of_x) {
+        if (part != nullptr) {
+            next_.push_back(
+                {first_is_x_ ? part : of_y, first_is_x_ ? of_y : part, pair.of, pair.graph, pair.no_contact});
+        }
+    }
+    return true;
+}
+
 // What is side by side has no charts, as a surface meets itself there.
 void CrossSearch::halve_both(const Pair &pair) {
     const double small = 4 * (pair.a->piece().error + pair.b->piece().error);
-    const auto halves = [&](CrossCell &cell, CrossSide &side) -> std::array<CrossCell *, 2> {
+    const auto halves = [&](CrossCell &cell, CrossSide &side) {
         cell.prepare(); // so that both sides have the same parts
-        if (cell.size() > small && cell.split(side.parts)) {
-            return {cell.half(0), cell.half(1)};
-        }
-        return {&cell, nullptr};
+        const CrossCell::Halves both = cell.size() > small ? cell.halves(side.parts) : CrossCell::Halves{};
+        return both[0] != nullptr ? both : CrossCell::Halves{&cell, nullptr};
     };
     const auto of_a = halves(*pair.a, a_), of_b = halves(*pair.b, b_);
     if (of_a[1] == nullptr && of_b[1] == nullptr) {
