@@ -5,6 +5,7 @@
 #include "intersect/contraction.h"
 #include "intersect/intervals.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -48,6 +49,23 @@ public:
     }
     // (I - R)^-1 size.
     [[nodiscard]] Place<N> reach(const Place<N> &size) const noexcept { return product(inverse_, size); }
+    // The largest sum of a row; if that is less than 1, what follows from it for all unknowns alike, in the maximum norm.
+    [[nodiscard]] double norm() const noexcept {
+        double most = 0;
+        for (const Place<N> &row : offs_) {
+            double sum = 0;
+            for (const double x : row) {
+                sum += x;
+            }
+            most = std::max(most, sum);
+        }
+        return 1.0001 * most;
+    }
+    [[nodiscard]] Place<N> reach_in_norm(const Place<N> &size) const noexcept {
+        Place<N> reach{};
+        reach.fill(1.0001 * largest(size) / (1 - norm()));
+        return reach;
+    }
     // R reach.
     [[nodiscard]] Place<N> drift(const Place<N> &reach) const noexcept { return product(offs_, reach); }
 

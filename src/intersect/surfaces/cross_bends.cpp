@@ -59,6 +59,8 @@ struct CrossCell::Seconds {
     std::array<Interval, 2> turns;           // w_0 and w_1
     std::array<Interval, 3> second_turns;    // w_00, w_01 and w_11
     double room;                             // of products with vectors of length 1
+    bool weighted;                           // by weights that are not all one
+    std::array<double, 2> largest_slopes;
 };
 
 CrossCell::~CrossCell() = default;
@@ -85,6 +87,8 @@ const CrossCell::Seconds &CrossCell::seconds() const {
     const std::array<double, 2> factors{p / wider, q / wider};
     const std::array<RecordNet, 2> first{net.derivative(0, factors[0]), net.derivative(1, factors[1])};
     auto result = std::make_unique<Seconds>();
+    result->weighted = has_weights();
+    result->largest_slopes = {largest_slope(0), largest_slope(1)};
     result->room = 16 * (factors[0] + factors[1] + 1) * (factors[0] + factors[1] + 1) * largest_weight *
                    (error_ + 8 * eps * reach_) * std::pow(wider, p + q);
     const double room_of_weight = result->room / std::max(piece_->piece.reach(), eps);
@@ -101,19 +105,36 @@ const CrossCell::Seconds &CrossCell::seconds() const {
 }
 
 // S_kl = (A_kl - w_kl (S - centre) - w_k S_l - w_l S_k) / w.
-CrossBends CrossCell::bends_along(const Vector3 &vector) const {
+std::array<Interval, 3> CrossCell::seconds_from(const Vector3 &vector, const CrossExtents &extents) const {
     const Seconds &seconds = this->seconds();
     const double room = 1.0001 * numeric::length(vector) * seconds.room;
-    count_work(12 * std::ssize(seconds.nets[1]));
-    CrossBends result{along(vector), {}};
+    count_work(4 * std::ssize(seconds.nets[1]));
+    std::array<Interval, 3> result{};
     for (size_t d = 0; d < 3; ++d) {
         const size_t k = d == 2 ? 1 : 0, l = d == 0 ? 0 : 1;
-        Interval sum = along_records(seconds.nets[d], vector, room);
-        sum = sum - seconds.second_turns[d] * result.extents.points -
-              seconds.turns[k] * result.extents.slopes[l] - seconds.turns[l] * result.extents.slopes[k];
-        result.bends[d] = sum * Interval{1 / weights_.upper, 1 / weights_.lower};
+        const Interval sum = along_records(seconds.nets[d], vector, room) -
+                             seconds.second_turns[d] * extents.points - seconds.turns[k] * extents.slopes[l] -
+                             seconds.turns[l] * extents.slopes[k];
+        result[d] = sum * Interval{1 / weights_.upper, 1 / weights_.lower};
     }
     return result;
+}
+
+CrossBends CrossCell::bends_along(const Vector3 &vector) const {
+    const CrossExtents extents = along(vector);
+    return {extents, seconds_from(vector, extents)};
+}
+
+// Extents matter only where weights change.
+std::array<Interval, 3> CrossCell::seconds_along(const Vector3 &vector) const {
+    const Seconds &seconds = this->seconds();
+    if (seconds.weighted) {
+        return seconds_from(vector, along(vector));
+    }
+    const double size = 1.0001 * numeric::length(vector);
+    return seconds_from(
+        vector, {around(size * reach_),
+                 {around(size * seconds.largest_slopes[0]), around(size * seconds.largest_slopes[1])}});
 }
 
 } // namespace nrb::intersect

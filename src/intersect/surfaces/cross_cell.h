@@ -156,6 +156,7 @@ public:
     [[nodiscard]] CrossExtents along(const Vector3 &vector) const noexcept;
     [[nodiscard]] Interval points_along(const Vector3 &vector) const noexcept;
     [[nodiscard]] CrossBends bends_along(const Vector3 &vector) const;
+    [[nodiscard]] std::array<Interval, 3> seconds_along(const Vector3 &vector) const; // bends alone
     // Of derivatives by places in the part.
     [[nodiscard]] double largest_slope(size_t axis) const noexcept;
     [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
@@ -180,6 +181,9 @@ private:
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
     void set_slopes(const std::vector<double> &records, size_t axis, double turn);
     [[nodiscard]] size_t axis_of_halves() const noexcept;
+    [[nodiscard]] bool has_weights() const noexcept;
+    [[nodiscard]] std::array<Interval, 3> seconds_from(const Vector3 &vector,
+                                                       const CrossExtents &extents) const;
     struct Seconds;
     [[nodiscard]] const Seconds &seconds() const; // made when they are first asked for
 

@@ -14,7 +14,7 @@ namespace {
 // A determinant that is smaller than this, in parts of the lengths of its columns, is none.
 constexpr double least_determinant = 1e-11;
 // What hangs together more leaves directions so wide that nothing follows from them.
-constexpr double most_coupling = 2.5;
+constexpr double most_rho = 0.6, most_coupling = 2.5;
 // Of the places that a chart has to tell apart.
 constexpr double least_digits = 0x1p-4;
 
@@ -129,13 +129,13 @@ CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
         }
     }
     shifts_[axis_] = {-1, -1};
-    coupled_ = coupling_.invert(most_coupling);
+    coupled_ = coupling_.norm() <= most_rho;
     if (!coupled_ || !(most_norm_ * near_ < least_digits)) {
         return Verdict::bent;
     }
     own_shifts_ = shifts_;
     set_rises();
-    return has_narrow_rises() ? Verdict::chart : Verdict::bent;
+    return Verdict::chart;
 }
 
 void CrossChart::set_rises() noexcept {
@@ -143,7 +143,7 @@ void CrossChart::set_rises() noexcept {
     for (const size_t i : others_of(axis_)) {
         fastest[i] = magnitude_of(own_shifts_[i]);
     }
-    const CrossPlace room = from_own(coupling_.drift(coupling_.reach(fastest)));
+    const CrossPlace room = from_own(coupling_.drift(reach_of(fastest)));
     for (size_t i = 0; i < 4; ++i) {
         rises_[i] = {-shifts_[i].upper - room[i], -shifts_[i].lower + room[i]};
     }
@@ -168,12 +168,19 @@ CrossPlace CrossChart::drift(const CrossPlace &step, double off, double far,
         size[i] =
             std::abs(of_own(i, step)) + off * own_norms_[i] * near_ + magnitude_of(own_shifts_[i]) * far;
     }
-    CrossPlace reach = coupling_.reach(size);
+    CrossPlace reach = reach_of(size);
     for (size_t i = 0; i < 4; ++i) {
-        reach[i] = std::min(reach[i], farthest[i] + std::abs(leans_[i]) * farthest[across_] +
-                                          std::abs(leans_along_[i]) * far);
+        const double most =
+            sheared_ ? farthest[i] + std::abs(leans_[i]) * farthest[across_] + std::abs(leans_along_[i]) * far
+                     : largest(farthest);
+        reach[i] = std::min(reach[i], most);
     }
     return from_own(coupling_.drift(reach));
+}
+
+// Boxes of parts are about as long along both axes, those of a shear are not.
+CrossPlace CrossChart::reach_of(const CrossPlace &size) const noexcept {
+    return sheared_ ? coupling_.reach(size) : coupling_.reach_in_norm(size);
 }
 
 // Of coordinates, from those of x and sigma.
@@ -200,7 +207,11 @@ CrossPlace CrossChart::off_at(double difference) const noexcept {
     for (const size_t i : others_of(axis_)) {
         size[i] = difference <= most_difference_ ? own_norms_[i] * difference : infinity;
     }
-    return from_own(coupling_.reach(size));
+    const CrossPlace drift = coupling_.drift(reach_of(size));
+    for (size_t i = 0; i < 4; ++i) {
+        size[i] = 1.0001 * (size[i] + drift[i]);
+    }
+    return from_own(size);
 }
 
 // What the columns of one surface make of row i.
@@ -220,7 +231,7 @@ void CrossChart::add_offs(size_t i, size_t surface, const CrossCell &cell,
 
 bool CrossChart::goes_on(const CrossCell &a, const CrossCell &b, std::span<const CrossCell::Beyond> beyond_a,
                          std::span<const CrossCell::Beyond> beyond_b) const noexcept {
-    constexpr double most = 10;
+    constexpr double most = 0.9;
     if (sheared_) {
         return false;
     }
@@ -239,7 +250,7 @@ bool CrossChart::goes_on(const CrossCell &a, const CrossCell &b, std::span<const
         add(0, a, beyond_a);
         add(1, b, beyond_b);
     }
-    return coupling.invert(most);
+    return coupling.norm() <= most;
 }
 
 // k is the one of both x along which n . G changes less.
@@ -292,18 +303,9 @@ void CrossChart::couple(const CrossShear &shear) {
     }
 }
 
-CrossChart::Verdict CrossChart::set_sheared(const CrossCell &a, const CrossCell &b, CrossShear &shear) {
-    const bool first = a.size() <= b.size();
-    switch (first ? shear.set(a, b) : shear.set(b, a)) {
-    case CrossShear::Verdict::apart:
-        return Verdict::apart;
-    case CrossShear::Verdict::open:
-        return Verdict::flat;
-    case CrossShear::Verdict::bounded:
-        break;
-    }
+CrossChart::Verdict CrossChart::set_sheared(size_t base, const CrossShear &shear) {
     sheared_ = true;
-    set_lean(shear, first ? 0 : 2);
+    set_lean(shear, 2 * base);
     couple(shear);
     coupled_ = coupling_.invert(most_coupling);
     if (!std::isfinite(most_norm_) || !coupled_ || !(most_norm_ * near_ < least_digits)) {

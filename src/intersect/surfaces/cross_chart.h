@@ -35,8 +35,8 @@ public:
     };
     // Precondition: both are prepared.
     Verdict set(CrossCell &a, CrossCell &b);
-    // The same in a shear that is set here; cut: what to halve where that is known. A verdict `flat` says nothing.
-    Verdict set_sheared(const CrossCell &a, const CrossCell &b, CrossShear &shear);
+    // The same in a shear that is set; the surface with index `base` is X.
+    Verdict set_sheared(size_t base, const CrossShear &shear);
 
     [[nodiscard]] size_t axis() const noexcept { return axis_; } // k
     // A place from which zeros are found, and whether what is said of places holds at one in both wide parts.
@@ -75,13 +75,14 @@ public:
 private:
     bool set_rows(const CrossCell &a, const CrossCell &b);
     bool set_row(size_t i, const CrossCell &a, const CrossCell &b);
-    void set_lean(const CrossShear &shear, size_t base);
+    void set_lean(const CrossShear &shear, size_t first);
     void couple(const CrossShear &shear);
     void set_norms() noexcept;
     [[nodiscard]] bool has_narrow_rises() const noexcept;
     [[nodiscard]] double of_own(size_t i, const CrossPlace &z) const noexcept {
         return z[i] - leans_[i] * z[across_];
     }
+    [[nodiscard]] CrossPlace reach_of(const CrossPlace &size) const noexcept;
     [[nodiscard]] CrossPlace from_own(CrossPlace bounds) const noexcept;
     void set_rises() noexcept;
     void add_offs(size_t i, size_t surface, const CrossCell &cell, const std::array<double, 2> &factors,

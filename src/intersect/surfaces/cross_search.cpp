@@ -202,31 +202,46 @@ void CrossSearch::look(Pair pair) {
 }
 
 // Where planes of tangents are nearly one, a sheared one if no other is there.
-CrossChart::Verdict CrossSearch::set_chart(const Pair &pair) {
-    constexpr double nearly = 0.9;
+CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
+    constexpr double nearly = 0.9, far = 8; // in tolerances
     box_.a = pair.a;
     box_.b = pair.b;
     cut_.reset();
     parts_ = {};
     const CrossChart::Verdict verdict = box_.chart.set(*pair.a, *pair.b);
-    if (verdict == CrossChart::Verdict::apart || verdict == CrossChart::Verdict::chart ||
+    if (verdict == CrossChart::Verdict::apart || verdict == CrossChart::Verdict::chart || pair.no_shear ||
         !are_parallel(*pair.a, *pair.b, nearly)) {
         return verdict;
     }
-    const CrossChart::Verdict sheared = box_.chart.set_sheared(*pair.a, *pair.b, shear_);
-    if (sheared != CrossChart::Verdict::flat) {
-        const bool of_a = box_.chart.axis() < 2; // what the shear starts from
-        cut_ = {shear_.cut().first == of_a, shear_.cut().axis};
-        parts_ = shear_.parts();
-        first_is_x_ = of_a;
-        if (box_.chart.is_coupled()) {
-            cut_ = {of_a, box_.chart.axis() % 2};
+    first_is_x_ = pair.a->size() <= pair.b->size();
+    switch (first_is_x_ ? shear_.set(*pair.a, *pair.b, tolerance_)
+                        : shear_.set(*pair.b, *pair.a, tolerance_)) {
+    case CrossShear::Verdict::apart:
+        return CrossChart::Verdict::apart;
+    case CrossShear::Verdict::bounded:
+        if (!shear_.come_apart() && shear_.height() <= far * tolerance_) {
+            return verdict;
         }
+        break;
+    case CrossShear::Verdict::useless:
+        pair.no_shear = true;
+        return verdict;
+    case CrossShear::Verdict::open:
+        return verdict;
     }
-    if (sheared != CrossChart::Verdict::flat) {
-        return sheared;
+    const CrossChart::Verdict sheared = box_.chart.set_sheared(first_is_x_ ? 0 : 1, shear_);
+    keep_cut(pair);
+    return sheared;
+}
+
+// Of a pair with a shear. Where unknowns are coupled a little, planes of tangents have one line in common, and k is what is left to halve.
+void CrossSearch::keep_cut(Pair &pair) {
+    parts_ = shear_.parts();
+    cut_ = {shear_.cut().first == first_is_x_, shear_.cut().axis};
+    if (box_.chart.is_coupled()) {
+        pair.no_contact = true;
+        cut_ = {first_is_x_, box_.chart.axis() % 2};
     }
-    return verdict;
 }
 
 void CrossSearch::look_for_arc(const Pair &pair) {
@@ -235,7 +250,7 @@ void CrossSearch::look_for_arc(const Pair &pair) {
         count_work(work_of_a_kept_part);
         found_.arcs.push_back(finder_.arc());
     } else if (verdict == ArcFinder::Verdict::open) {
-        divide({pair.a, pair.b, pair.of, true, pair.no_contact}, usual_cut(pair));
+        divide({pair.a, pair.b, pair.of, true, pair.no_contact, pair.no_shear}, usual_cut(pair));
     }
 }
 
@@ -369,8 +384,8 @@ void CrossSearch::halve(const Pair &pair, const Cut &cut) {
                 : CrossCell::Halves{};
         for (CrossCell *half : halves) {
             if (half != nullptr) {
-                next_.push_back(
-                    {of_a ? half : pair.a, of_a ? pair.b : half, pair.of, pair.graph, pair.no_contact});
+                next_.push_back({of_a ? half : pair.a, of_a ? pair.b : half, pair.of, pair.graph,
+                                 pair.no_contact, pair.no_shear});
             }
         }
         if (halves[0] != nullptr) {
@@ -395,8 +410,8 @@ bool CrossSearch::take_parts(const Pair &pair) {
     }
     for (CrossCell *part : of_x) {
         if (part != nullptr) {
-            next_.push_back(
-                {first_is_x_ ? part : of_y, first_is_x_ ? of_y : part, pair.of, pair.graph, pair.no_contact});
+            next_.push_back({first_is_x_ ? part : of_y, first_is_x_ ? of_y : part, pair.of, pair.graph,
+                             pair.no_contact, pair.no_shear});
         }
     }
     return true;

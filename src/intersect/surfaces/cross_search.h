@@ -57,12 +57,13 @@ private:
     using PairCell = closest::PairCell;
     // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
     // both sides of it go on in each other, or end.
-    // no_contact: of a pair that does not touch where it is nearest.
+    // no_contact: of a pair that does not touch where it is nearest; no_shear: of one that does not bend alike.
     struct Pair {
         CrossCell *a, *b;
         CrossCrowds::Number of; // the pieces
         bool graph = false;
         bool no_contact = false;
+        bool no_shear = false;
     };
 
     void find_pieces();
@@ -75,7 +76,8 @@ private:
     // What is halved, along an axis if it is known which one.
     using Cut = CrossShear::Cut;
     [[nodiscard]] Cut usual_cut(const Pair &pair) const noexcept;
-    CrossChart::Verdict set_chart(const Pair &pair);
+    CrossChart::Verdict set_chart(Pair &pair);
+    void keep_cut(Pair &pair);
     void look_for_arc(const Pair &pair);
     void divide(const Pair &pair, const Cut &cut);
     void halve(const Pair &pair, const Cut &cut);

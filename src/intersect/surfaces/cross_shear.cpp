@@ -84,50 +84,65 @@ void CrossShear::set_leans() noexcept {
                       Pair{-leans_[1][0] / determinant, leans_[0][0] / determinant}};
 }
 
-// The middle of X and its foot on Y, or what is nearest to these in both parts, as far as planes of tangents tell.
+// The middle of X and its foot on Y, or what is nearest to these in both parts, by a few steps of Newton's method. False: both are not
+// over each other.
 bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
-    constexpr double far = 4;
-    if (!set_vectors(y.slope(0), y.slope(1))) {
-        return false;
-    }
+    constexpr int most_steps = 4;
+    constexpr double far = 4, near = 0x1p-16;
+    starts_ = {Pair{0.5, 0.5}, Pair{0.5, 0.5}};
+    CrossPiece::Point of_x{x.centre(), {}, {}}, of_y{y.centre(), {}, {}};
     slopes_of_x_ = {x.slope(0), x.slope(1)};
-    set_leans();
-    Pair at{0.5, 0.5}, foot{};
-    for (size_t i = 0; i < 2; ++i) {
-        foot[i] = 0.5 + dot(vectors_[i], x.centre() - y.centre());
-        if (!(std::abs(foot[i]) <= far)) {
+    slopes_of_y_ = {y.slope(0), y.slope(1)};
+    for (int i = 0;; ++i) {
+        between_ = of_x.at - of_y.at;
+        if (!set_vectors(slopes_of_y_[0], slopes_of_y_[1])) {
             return false;
         }
-    }
-    const Pair inside{std::clamp(foot[0], 0.0, 1.0), std::clamp(foot[1], 0.0, 1.0)};
-    if (inside != foot && has_inverse_) {
-        for (size_t j = 0; j < 2; ++j) {
-            at[j] +=
-                inverse_leans_[j][0] * (inside[0] - foot[0]) + inverse_leans_[j][1] * (inside[1] - foot[1]);
-            at[j] = std::clamp(at[j], 0.0, 1.0);
+        set_leans();
+        const Pair step{dot(vectors_[0], between_), dot(vectors_[1], between_)};
+        const double size = std::max(std::abs(step[0]), std::abs(step[1]));
+        if (size <= near || i == most_steps || !(size <= far)) {
+            return size <= near;
         }
+        if (move_foot(step)) {
+            of_x = x.piece().evaluate(x.in_piece(starts_[0].data()));
+            slopes_of_x_ = slopes_of(x, of_x);
+        }
+        of_y = y.piece().evaluate(y.in_piece(starts_[1].data()));
+        slopes_of_y_ = slopes_of(y, of_y);
     }
+}
+
+// What would be beyond Y is made up for in X. Whether that moves.
+bool CrossShear::move_foot(const Pair &step) noexcept {
+    auto &[at, foot] = starts_;
+    Pair beyond{};
     for (size_t i = 0; i < 2; ++i) {
-        foot[i] += leans_[i][0] * (at[0] - 0.5) + leans_[i][1] * (at[1] - 0.5);
-        foot[i] = std::clamp(foot[i], -widening, 1 + widening);
+        const double next = foot[i] + step[i];
+        foot[i] = std::clamp(next, 0.0, 1.0);
+        beyond[i] = next - foot[i];
     }
-    starts_ = {at, foot};
-    const CrossPiece::Point of_x = x.piece().evaluate(x.in_piece(at.data())),
-                            of_y = y.piece().evaluate(y.in_piece(foot.data()));
-    between_ = of_x.at - of_y.at;
-    slopes_of_x_ = slopes_of(x, of_x);
-    slopes_of_y_ = slopes_of(y, of_y);
-    if (!set_vectors(slopes_of_y_[0], slopes_of_y_[1])) {
+    if (beyond == Pair{0, 0} || !has_inverse_) {
         return false;
     }
-    set_leans();
+    for (size_t j = 0; j < 2; ++j) {
+        at[j] =
+            std::clamp(at[j] - inverse_leans_[j][0] * beyond[0] - inverse_leans_[j][1] * beyond[1], 0.0, 1.0);
+    }
     return true;
+}
+
+// As far as the start and the planes of tangents there tell: one surface rather than two.
+bool CrossShear::is_along(double tolerance) const noexcept {
+    return std::abs(dot(vectors_[2], between_)) + std::abs(dot(vectors_[2], slopes_of_x_[0])) +
+               std::abs(dot(vectors_[2], slopes_of_x_[1])) <=
+           tolerance;
 }
 
 void CrossShear::set_bends(size_t d, const CrossCell &x, const CrossCell &y) {
     Bends &bends = bends_[d];
-    bends.of_x = x.bends_along(vectors_[d]).bends;
-    bends.of_y = y.bends_along(vectors_[d]).bends;
+    bends.of_x = x.seconds_along(vectors_[d]);
+    bends.of_y = y.seconds_along(vectors_[d]);
     const auto &[first, second] = leans_;
     for (size_t e = 0; e < 3; ++e) {
         const size_t j = e == 2 ? 1 : 0, l = e == 0 ? 0 : 1;
@@ -141,6 +156,31 @@ void CrossShear::set_bends(size_t d, const CrossCell &x, const CrossCell &y) {
             bends.mixed[j][m] = first[j] * bends.of_y[m] + second[j] * bends.of_y[1 + m];
         }
     }
+}
+
+// Along an axis along which they bend by more than a little, as far as that is known.
+bool CrossShear::is_useful() const noexcept {
+    constexpr double much = 4, known = 0.5, little = 0x1p-8;
+    const Bends &bends = bends_[2];
+    const auto own = [&](size_t d) {
+        return std::abs(bends.of_x[d].lower + bends.of_x[d].upper) / 2 +
+               std::abs(bends.leaning[d].lower + bends.leaning[d].upper) / 2;
+    };
+    const double most = std::max({own(0), own(1), own(2)});
+    for (const size_t d : {size_t{0}, size_t{2}}) {
+        const double open = width_of(bends.of_x[d]) + width_of(bends.leaning[d]);
+        const bool alike = much * std::abs(bends.both[d].lower + bends.both[d].upper) / 2 < own(d);
+        if (std::max(own(d), open) > little * most && (open > known * own(d) || alike)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether both come apart, for certain or on both sides of a place.
+bool CrossShear::come_apart() const noexcept {
+    const Interval &slope = slopes_[2][across_];
+    return parts_ == 2 || slope.lower > 0 || slope.upper < 0;
 }
 
 void CrossShear::set_errors(const CrossCell &x, const CrossCell &y) noexcept {
@@ -255,6 +295,7 @@ void CrossShear::set_zeros(const Away &away) noexcept {
     across_ = change(1) > change(0) ? 1 : 0;
     const Interval beside = height_beside(across_, away), &bend = bends.both[2 * across_],
                    &range = away.x[across_];
+    height_ = magnitude_of(beside);
     const double h = dot(vectors_[2], slopes_of_x_[across_]);
     const Parabola low{beside.lower, h, bend.lower}, high{beside.upper, h, bend.upper};
     std::array<double, 6> ends{range.lower, range.upper};
@@ -369,15 +410,20 @@ CrossShear::Parts CrossShear::parts() const noexcept {
     return parts;
 }
 
-CrossShear::Verdict CrossShear::set(const CrossCell &x, const CrossCell &y) {
-    count_work(2000);
-    if (!set_start(x, y)) {
+CrossShear::Verdict CrossShear::set(const CrossCell &x, const CrossCell &y, double tolerance) {
+    count_work(600);
+    if (!set_start(x, y) || is_along(tolerance)) {
         return Verdict::open;
     }
+    count_work(600);
     set_errors(x, y);
-    for (size_t d = 0; d < 3; ++d) {
-        set_bends(d, x, y);
+    set_bends(2, x, y);
+    if (!is_useful()) {
+        return Verdict::useless;
     }
+    count_work(800);
+    set_bends(0, x, y);
+    set_bends(1, x, y);
     constexpr double most = 2;
     grows_ = 0;
     Away wide{wide_ranges(starts_[0]), wide_ranges(starts_[1]), {infinity, infinity}};

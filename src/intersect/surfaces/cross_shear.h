@@ -24,9 +24,10 @@ public:
         apart,
         bounded, // what follows is known
         open,    // the parts are too large
+        useless, // as in all smaller parts: the surfaces do not bend alike along any axis of X
     };
-    // Precondition: both are prepared.
-    Verdict set(const CrossCell &x, const CrossCell &y);
+    // Precondition: both are prepared. What is along each other within the tolerance is left open at once.
+    Verdict set(const CrossCell &x, const CrossCell &y, double tolerance);
 
     [[nodiscard]] const std::array<double, 2> &start_x() const noexcept { return starts_[0]; }
     [[nodiscard]] const std::array<double, 2> &start_y() const noexcept { return starts_[1]; }
@@ -50,6 +51,10 @@ public:
     [[nodiscard]] const Interval &range_of_x(size_t j) const noexcept { return ranges_of_x_[j]; }
     [[nodiscard]] const Interval &range_of_y(size_t m) const noexcept { return ranges_of_y_[m]; }
 
+    // Whether there may be no place in which they touch.
+    [[nodiscard]] bool come_apart() const noexcept;
+    // How far apart both may be along n at most where n . C along one of the axes is as at the start.
+    [[nodiscard]] double height() const noexcept { return height_; }
     // What to halve, where that is not enough: X or Y, of X along which axis.
     struct Cut {
         bool first;
@@ -83,7 +88,10 @@ private:
     bool set_vectors(const Vector3 &along_0, const Vector3 &along_1) noexcept;
     void set_leans() noexcept;
     bool set_start(const CrossCell &x, const CrossCell &y);
+    bool move_foot(const Pair &step) noexcept;
+    [[nodiscard]] bool is_along(double tolerance) const noexcept;
     void set_bends(size_t d, const CrossCell &x, const CrossCell &y);
+    [[nodiscard]] bool is_useful() const noexcept;
     void set_errors(const CrossCell &x, const CrossCell &y) noexcept;
     [[nodiscard]] Interval slope_in(size_t d, size_t j, const Away &away, double share) const noexcept;
     [[nodiscard]] Interval own_in(size_t d, size_t m, const Away &away, double share) const noexcept;
@@ -109,6 +117,7 @@ private:
     Ranges ranges_of_x_{}, ranges_of_y_{};
     Pair most_aside_{};
     double free_ = 0, grows_ = 0; // grows_: how fast sigma does with N . G
+    double height_ = 0;
     size_t across_ = 0; // the axis of X along which n . C changes more
     // Where along it zeros are, in up to two parts.
     size_t parts_ = 0;

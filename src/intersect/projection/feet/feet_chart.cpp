@@ -12,7 +12,7 @@ namespace nrb::intersect {
 namespace {
 
 // As for CrossChart.
-constexpr double least_determinant = 1e-11, most_coupling = 2.5, least_digits = 0x1p-4;
+constexpr double least_determinant = 1e-11, most_rho = 0.6, least_digits = 0x1p-4;
 
 std::array<size_t, 2> others_of(size_t k) noexcept {
     return {k == 0 ? size_t{1} : 0, k <= 1 ? size_t{2} : 1};
@@ -215,7 +215,8 @@ FeetChart::Verdict FeetChart::set(FeetNets &nets) {
     }
     shifts_[axis_] = {-1, -1};
     noise_[axis_] = 0;
-    if (!coupling_.invert(most_coupling) || !(most_noise_ < least_digits)) {
+    if (!(coupling_.norm() <= most_rho) || !coupling_.invert(1 / (1 - most_rho)) ||
+        !(most_noise_ < least_digits)) {
         return Verdict::bent;
     }
     set_rises();
@@ -239,16 +240,18 @@ FeetPlace FeetChart::drift(const FeetPlace &step, double off, double far,
     for (const size_t i : others_of(axis_)) {
         size[i] = std::abs(step[i]) + off * noise_[i] + magnitude_of(shifts_[i]) * far;
     }
-    FeetPlace reach = coupling_.reach(size);
-    for (size_t i = 0; i < 3; ++i) {
-        reach[i] = std::min(reach[i], farthest[i]);
+    FeetPlace reach = coupling_.reach_in_norm(size);
+    for (double &x : reach) {
+        x = std::min(x, largest(farthest));
     }
     return coupling_.drift(reach);
 }
 
 FeetPlace FeetChart::off_at(const FeetPlace &step) const noexcept {
-    FeetPlace off = coupling_.reach(step);
-    off[axis_] = 0;
+    FeetPlace off = coupling_.drift(coupling_.reach_in_norm(step));
+    for (size_t i = 0; i < 3; ++i) {
+        off[i] = i == axis_ ? 0 : 1.0001 * (off[i] + step[i]);
+    }
     return off;
 }
 
