@@ -113,6 +113,17 @@ bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
     }
 }
 
+// Whether a plane across the way from one to the other, where they come nearest, is between them.
+bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const noexcept {
+    const double size = length(between_);
+    if (!(size > 0)) {
+        return false;
+    }
+    const Vector3 unit = (1 / size) * between_;
+    count_work(100);
+    return x.hull_along(unit).lower - y.hull_along(unit).upper > 4 * (x.error() + y.error());
+}
+
 // What would be beyond Y is made up for in X. Whether that moves.
 bool CrossShear::move_foot(const Pair &step) noexcept {
     auto &[at, foot] = starts_;
@@ -412,7 +423,10 @@ CrossShear::Parts CrossShear::parts() const noexcept {
 
 CrossShear::Verdict CrossShear::set(const CrossCell &x, const CrossCell &y, double tolerance) {
     count_work(600);
-    if (!set_start(x, y) || is_along(tolerance)) {
+    if (!set_start(x, y)) {
+        return are_beside(x, y) ? Verdict::apart : Verdict::open;
+    }
+    if (is_along(tolerance)) {
         return Verdict::open;
     }
     count_work(600);
