@@ -88,7 +88,7 @@ void CrossShear::set_leans() noexcept {
 // over each other.
 bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
     constexpr int most_steps = 4;
-    constexpr double far = 4, near = 0x1p-16;
+    constexpr double far = 4, near = 0x1p-16, nearly = 0x1p-5;
     starts_ = {Pair{0.5, 0.5}, Pair{0.5, 0.5}};
     CrossPiece::Point of_x{x.centre(), {}, {}}, of_y{y.centre(), {}, {}};
     slopes_of_x_ = {x.slope(0), x.slope(1)};
@@ -102,7 +102,7 @@ bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
         const Pair step{dot(vectors_[0], between_), dot(vectors_[1], between_)};
         const double size = std::max(std::abs(step[0]), std::abs(step[1]));
         if (size <= near || i == most_steps || !(size <= far)) {
-            return size <= near;
+            return size <= nearly;
         }
         if (move_foot(step)) {
             of_x = x.piece().evaluate(x.in_piece(starts_[0].data()));
@@ -126,19 +126,20 @@ bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const noexce
 
 // What would be beyond Y is made up for in X. Whether that moves.
 bool CrossShear::move_foot(const Pair &step) noexcept {
+    constexpr double most = 0.9 * widening; // what is said is of wide parts
     auto &[at, foot] = starts_;
     Pair beyond{};
     for (size_t i = 0; i < 2; ++i) {
         const double next = foot[i] + step[i];
-        foot[i] = std::clamp(next, 0.0, 1.0);
+        foot[i] = std::clamp(next, -most, 1 + most);
         beyond[i] = next - foot[i];
     }
     if (beyond == Pair{0, 0} || !has_inverse_) {
         return false;
     }
     for (size_t j = 0; j < 2; ++j) {
-        at[j] =
-            std::clamp(at[j] - inverse_leans_[j][0] * beyond[0] - inverse_leans_[j][1] * beyond[1], 0.0, 1.0);
+        at[j] = std::clamp(at[j] - inverse_leans_[j][0] * beyond[0] - inverse_leans_[j][1] * beyond[1], -most,
+                           1 + most);
     }
     return true;
 }
@@ -169,19 +170,16 @@ void CrossShear::set_bends(size_t d, const CrossCell &x, const CrossCell &y) {
     }
 }
 
-// Along an axis along which they bend by more than a little, as far as that is known.
+// Along an axis along which they bend by more than a little.
 bool CrossShear::is_useful() const noexcept {
-    constexpr double much = 4, known = 0.5, little = 0x1p-8;
+    constexpr double much = 4, little = 0x1p-20;
     const Bends &bends = bends_[2];
-    const auto own = [&](size_t d) {
-        return std::abs(bends.of_x[d].lower + bends.of_x[d].upper) / 2 +
-               std::abs(bends.leaning[d].lower + bends.leaning[d].upper) / 2;
-    };
+    const auto own = [&](size_t d) { return magnitude_of(bends.of_x[d]) + magnitude_of(bends.leaning[d]); };
     const double most = std::max({own(0), own(1), own(2)});
     for (const size_t d : {size_t{0}, size_t{2}}) {
-        const double open = width_of(bends.of_x[d]) + width_of(bends.leaning[d]);
-        const bool alike = much * std::abs(bends.both[d].lower + bends.both[d].upper) / 2 < own(d);
-        if (std::max(own(d), open) > little * most && (open > known * own(d) || alike)) {
+        const Interval &both = bends.both[d];
+        const bool apart = much * both.lower > own(d) || much * both.upper < -own(d);
+        if (own(d) > little * most && !apart) {
             return true;
         }
     }
