@@ -102,7 +102,8 @@ bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
         const Pair step{dot(vectors_[0], between_), dot(vectors_[1], between_)};
         const double size = std::max(std::abs(step[0]), std::abs(step[1]));
         if (size <= near || i == most_steps || !(size <= far)) {
-            return size <= nearly;
+            const bool is_above = std::abs(dot(vectors_[2], between_)) >= length(between_) / 2;
+            return size <= near || (size <= nearly && is_above);
         }
         if (move_foot(step)) {
             of_x = x.piece().evaluate(x.in_piece(starts_[0].data()));
@@ -126,12 +127,11 @@ bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const noexce
 
 // What would be beyond Y is made up for in X. Whether that moves.
 bool CrossShear::move_foot(const Pair &step) noexcept {
-    constexpr double most = 0.9 * widening; // what is said is of wide parts
     auto &[at, foot] = starts_;
     Pair beyond{};
     for (size_t i = 0; i < 2; ++i) {
         const double next = foot[i] + step[i];
-        foot[i] = std::clamp(next, -most, 1 + most);
+        foot[i] = std::clamp(next, 0.0, 1.0);
         beyond[i] = next - foot[i];
     }
     if (beyond == Pair{0, 0} || !has_inverse_) {
