@@ -138,8 +138,8 @@ bool CrossShear::move_foot(const Pair &step) noexcept {
         return false;
     }
     for (size_t j = 0; j < 2; ++j) {
-        at[j] = std::clamp(at[j] - inverse_leans_[j][0] * beyond[0] - inverse_leans_[j][1] * beyond[1], -most,
-                           1 + most);
+        at[j] =
+            std::clamp(at[j] - inverse_leans_[j][0] * beyond[0] - inverse_leans_[j][1] * beyond[1], 0.0, 1.0);
     }
     return true;
 }
