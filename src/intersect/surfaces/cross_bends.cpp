@@ -66,6 +66,15 @@ struct CrossCell::Seconds {
 CrossCell::~CrossCell() = default;
 CrossCell::CrossCell(CrossCell &&) noexcept = default;
 
+bool CrossCell::has_weights() const noexcept {
+    for (size_t i = 3; i < records_.size(); i += record_width) {
+        if (records_[i] != records_[3]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 const CrossCell::Seconds &CrossCell::seconds() const {
     if (seconds_) {
         return *seconds_;

@@ -162,15 +162,6 @@ bool CrossCell::has_pole() const noexcept {
     return any;
 }
 
-bool CrossCell::has_weights() const noexcept {
-    for (size_t i = 3; i < records_.size(); i += width) {
-        if (records_[i] != records_[3]) {
-            return true;
-        }
-    }
-    return false;
-}
-
 Interval CrossCell::hull_along(const Vector3 &vector) const noexcept {
     Interval hull{infinity, -infinity};
     for (size_t i = 0; i < records_.size(); i += width) {

@@ -4,7 +4,7 @@
 
 #include "intersect/coupling.h"
 #include "intersect/surfaces/cross_cell.h"
-#include "intersect/surfaces/cross_shear.h"
+#include "intersect/surfaces/shear/cross_shear.h"
 
 #include <span>
 
