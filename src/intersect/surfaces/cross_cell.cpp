@@ -374,11 +374,13 @@ CrossCell::Halves CrossCell::halves(std::deque<CrossCell> &all, std::optional<si
 }
 
 CrossCell *CrossCell::part(std::deque<CrossCell> &all, const std::array<Interval, 2> &places) const {
+    constexpr double largest_shift = 0x1p-14; // far less than what is known to be empty at sides of parts
     std::pmr::vector<double> records(records_, records_.get_allocator());
     std::vector<double> whole(records_.size());
     for (size_t k = 0; k < 2; ++k) {
         const auto [lower, upper] = places[k];
-        if (!((upper - lower) * length_[k] > least_length_of_parts)) {
+        if (!((upper - lower) * length_[k] > least_length_of_parts) ||
+            !(piece_->shift[k] <= largest_shift * length_[k])) {
             return nullptr;
         }
         if (lower > 0 || upper < 1) {

@@ -165,7 +165,7 @@ public:
     // are none.
     using Halves = std::array<CrossCell *, 2>;
     Halves halves(std::deque<CrossCell> &all, std::optional<size_t> axis = std::nullopt);
-    // A part of it; null: it is too small.
+    // A part of it, with a 2^-12th of it at each side that is empty, as sides are shifted; null: it is too small.
     CrossCell *part(std::deque<CrossCell> &all, const std::array<Interval, 2> &places) const;
 
 private:
