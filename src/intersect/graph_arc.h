@@ -42,9 +42,9 @@ std::optional<Place<N>> zero_between(const Box &box, const Place<N> &from, const
 
 // As zeros are a graph whose differences have known signs, one place of the box at a zero, and the two where the curve through
 // it leaves the box, are all that has to be found. Box has
-//   chart: axis(), direction(), rho(), rho(i), shift(i), rise(i) as in CrossChart; noise(i), noise(): how far M F may be off
+//   chart: axis(), direction(), shift(i), rise(i), holds_at(z), drift(...) as in CrossChart; noise(i), noise(): how far M F may be off
 //   side(i, end): where the box ends, as places in the part; length(i) of the part, in parts of its piece
-//   middle_step(), step_at(z): M F; tangent_at(z): along the zeros, of any length
+//   start(): a place where the chart holds; step_at(z): M F; tangent_at(z): along the zeros, of any length
 //   solve(i, z): Newton's method for F = 0 with coordinate i as it is, in the wide part; false: none is found.
 template <class Box, size_t N>
 class GraphArc {
@@ -74,7 +74,7 @@ public:
         set_zeros(parts);
         for (size_t i = 0; i < N; ++i) {
             const bool ends = ends_[0].coordinate == i || ends_[1].coordinate == i;
-            if (changes(i) && (ends || !stays(i))) {
+            if (changes(i) && !is_inside(i) && (ends || !stays(i))) {
                 return GraphVerdict::open;
             }
         }
@@ -136,16 +136,12 @@ private:
     std::array<Interval, 2> clipped(const At &z0, const At &step, double off, const Interval &range) const {
         const auto &chart = box_->chart;
         const size_t k = chart.axis();
-        double fastest = 0, farthest = 0;
+        At farthest{};
         for (size_t i = 0; i < N; ++i) {
-            if (i != k) {
-                fastest = std::max({fastest, std::abs(chart.shift(i).lower), std::abs(chart.shift(i).upper)});
-                farthest = std::max({farthest, sides_[i][1] - z0[i], z0[i] - sides_[i][0]});
-            }
+            farthest[i] = i == k ? 0 : std::max(sides_[i][1] - z0[i], z0[i] - sides_[i][0]);
         }
         const double far = std::max(std::abs(range.lower - z0[k]), std::abs(range.upper - z0[k]));
-        const double reach = std::min(
-            farthest, 1.0001 * (largest(step) + off * chart.noise() + fastest * far) / (1 - chart.rho()));
+        const At drift = chart.drift(step, off, far, farthest);
         std::array<Interval, 2> halves{Interval{range.lower, std::min(range.upper, z0[k])},
                                        Interval{std::max(range.lower, z0[k]), range.upper}};
         for (size_t h = 0; h < 2; ++h) {
@@ -153,7 +149,7 @@ private:
                 if (i == k) {
                     continue;
                 }
-                const double room = chart.rho(i) * reach + off * chart.noise(i) + 8 * eps;
+                const double room = drift[i] + off * chart.noise(i) + 8 * eps;
                 const double at = z0[i] - step[i];
                 const double low = -chart.shift(i).upper, high = -chart.shift(i).lower;
                 keep_where_positive(at + room - sides_[i][0], h == 1 ? high : low, z0[k], halves[h]);
@@ -171,9 +167,7 @@ private:
         const auto &chart = box_->chart;
         const size_t k = chart.axis();
         const double least = little / box_->length(k);
-        At z;
-        z.fill(0.5);
-        At step = box_->middle_step();
+        At z = box_->start(), step = box_->step_at(z);
         ranges_.clear();
         add_ranges(clipped(z, step, 1, {sides_[k][0], sides_[k][1]}), true, 0);
         for (int probe = 0; probe < probes && !ranges_.empty(); ++probe) {
@@ -186,6 +180,9 @@ private:
             }
             z[k] = next;
             const bool found = box_->solve(k, z);
+            if (!chart.holds_at(z)) {
+                return GraphVerdict::open;
+            }
             step = box_->step_at(z);
             if (found) {
                 near_ = z;
@@ -279,6 +276,10 @@ private:
         const double up = std::max((to - from - rise.lower * far) / wide, 0.0),
                      down = std::max((rise.upper * far - (to - from)) / wide, 0.0);
         return {from + std::min(rise.lower, 0.0) * down, from + std::max(rise.upper, 0.0) * up};
+    }
+    [[nodiscard]] bool is_inside(size_t coordinate) const noexcept {
+        const Interval range = box_->chart.range(coordinate);
+        return range.lower > sides_[coordinate][0] && range.upper < sides_[coordinate][1];
     }
     [[nodiscard]] bool stays(size_t coordinate) const {
         for (size_t i = 0; i + 1 < zeros_.size(); ++i) {

@@ -239,6 +239,65 @@ void add_surfaces(const std::filesystem::path &file, std::vector<SplineData> &su
     }
 }
 
+// A patch with the same parameters in the plane, where those are of one to one, and with values of a function of these times a factor
+// added to it.
+struct Parting {
+    SplineData a, b;
+    SplineData values; // (u, v, f)
+};
+Parting parting(Random &random, double factor) {
+    const std::array<int, 2> counts{random.whole(4, 7), random.whole(4, 7)};
+    Parting made;
+    made.a = net_of(counts, {3, 3}, false, [&](double u, double v) {
+        return std::array<double, 4>{2 * u - 1 + random.between(-0.04, 0.04),
+                                     2 * v - 1 + random.between(-0.04, 0.04), random.between(-0.3, 0.3), 1};
+    });
+    made.b = made.values = made.a;
+    for (size_t i = 0; i < made.a.points.size(); i += 3) {
+        const double f = random.between(-1, 1);
+        made.b.points[i + 2] += factor * f;
+        made.values.points[i + 2] = f;
+    }
+    return made;
+}
+
+// What a and a + factor f have in common is where f is 0, whatever the factor: the ways are as many as those of the section of f,
+// which knows nothing of pairs.
+TEST(SurfacePairsSizes, SmallAnglesChangeNoCount) {
+    constexpr std::array<double, 3> up{0, 0, 1};
+    constexpr double level = 0;
+    Random random(0x5d07);
+    const int64_t cases = scaled(15);
+    int64_t told = 0, of_all = 0, ways = 0;
+    for (int64_t i = 0; i < cases; ++i) {
+        for (const double factor : {1e-1, 1e-2, 1e-3}) {
+            SCOPED_TRACE(testing::Message() << i << ", " << factor);
+            const Parting pair = parting(random, factor);
+            const Handle a = create(pair.a), values = create(pair.values),
+                         b = disguised(random, create(pair.b), 2);
+            const Crossing crossing = crossing_of(a.get(), b.get(), tolerance);
+            nurbs_meet *out = nullptr;
+            require_ok(nurbs_surface_sections(values.get(), up.data(), 1, &level, tolerance, &out));
+            const MeetHandle meet(out);
+            Crossing section;
+            section.found = found_in(meet.get());
+            count_ways(meet.get(), section);
+            ++of_all;
+            if (crossing.found.complete && section.found.complete) {
+                ++told;
+                ways += section.open_ways + section.closed_ways;
+                EXPECT_EQ(crossing.open_ways, section.open_ways);
+                EXPECT_EQ(crossing.closed_ways, section.closed_ways);
+            }
+            check_curves(crossing, Ground(a.get(), pair.a), Ground(b.get(), pair.b), 100);
+        }
+    }
+    std::printf("%lld of %lld pairs, %lld ways\n", static_cast<long long>(told),
+                static_cast<long long>(of_all), static_cast<long long>(ways));
+    EXPECT_GE(told, of_all / 2);
+    EXPECT_GE(ways, told);
+}
+
 class SurfacePairsFilesSizes : public RealFiles {};
 
 // Surfaces of files, one of which lies anyhow so that it has a point of the other one.

@@ -154,10 +154,12 @@ void TripleSearch::halve(const TripleParts &parts, size_t first) {
                  small = std::max(4 * error, tolerance_ / 4);
     for (size_t i = 0; i < 3; ++i) {
         const size_t s = (first + i) % 3;
-        if (parts[s]->size() > small && parts[s]->split(sides_[s].parts)) {
-            for (size_t end = 0; end < 2; ++end) {
+        const CrossCell::Halves halves =
+            parts[s]->size() > small ? parts[s]->halves(sides_[s].parts) : CrossCell::Halves{};
+        if (halves[0] != nullptr) {
+            for (CrossCell *half : halves) {
                 TripleParts smaller = parts;
-                smaller[s] = parts[s]->half(end);
+                smaller[s] = half;
                 next_.push_back(smaller);
             }
             return;

@@ -155,11 +155,7 @@ FeetPlace FeetFitter::off_at(const std::array<double, 2> &value) const noexcept 
     for (size_t i = 0; i < 3; ++i) {
         off[i] += chart.noise(i);
     }
-    const double most = largest(off);
-    for (size_t i = 0; i < 3; ++i) {
-        off[i] = i == chart.axis() ? 0 : 1.0001 * (off[i] + chart.rho(i) * most / (1 - chart.rho()));
-    }
-    return off;
+    return chart.off_at(off);
 }
 
 LargestOfFeet FeetFitter::largest_on(const CrossSegment &segment) {

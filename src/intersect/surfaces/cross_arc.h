@@ -28,7 +28,7 @@ struct CrossBox {
     [[nodiscard]] double length(size_t coordinate) const noexcept {
         return cell(coordinate).length(coordinate % 2);
     }
-    [[nodiscard]] CrossPlace middle_step() const noexcept { return chart.step(a->centre() - b->centre()); }
+    [[nodiscard]] const CrossPlace &start() const noexcept { return chart.start(); }
     [[nodiscard]] CrossPlace step_at(const CrossPlace &z) const noexcept {
         return chart.step(at(z).difference);
     }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/intervals.h"
 #include "intersect/surfaces/cross_cell.h"
-#include "numeric/norm.h"
-#include "pieces/tree/patch_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,77 +13,137 @@ namespace {
 
 constexpr size_t record_width = 4; // x w, y w, z w, w
 
-// A net of (w v . (S - centre), w): [counts[0]][counts[1]].
-struct PlaneNet {
+// Records [counts[0]][counts[1]].
+struct RecordNet {
     std::array<int, 2> counts{};
-    std::vector<std::array<double, 2>> values;
+    std::vector<double> records;
 
-    [[nodiscard]] PlaneNet derivative(size_t axis, double factor) const {
-        PlaneNet result{counts, {}};
+    [[nodiscard]] RecordNet derivative(size_t axis, double factor) const {
+        RecordNet result{counts, {}};
         --result.counts[axis];
-        const auto inner = static_cast<size_t>(counts[1]), step = axis == 0 ? inner : 1;
+        const size_t row = record_width * static_cast<size_t>(counts[1]),
+                     step = axis == 0 ? row : record_width,
+                     width = record_width * static_cast<size_t>(result.counts[1]);
+        result.records.reserve(static_cast<size_t>(result.counts[0]) * width);
         for (size_t i = 0; i < static_cast<size_t>(result.counts[0]); ++i) {
-            for (size_t j = 0; j < static_cast<size_t>(result.counts[1]); ++j) {
-                const auto &a = values[i * inner + j], &b = values[i * inner + j + step];
-                result.values.push_back({factor * (b[0] - a[0]), factor * (b[1] - a[1])});
+            const double *const own = records.data() + i * row;
+            for (size_t c = 0; c < width; ++c) {
+                result.records.push_back(factor * (own[c + step] - own[c]));
             }
         }
         return result;
     }
-    [[nodiscard]] Interval range(size_t value, double room) const noexcept {
+    [[nodiscard]] Interval weights(double room) const noexcept {
         Interval all{infinity, -infinity};
-        for (const auto &own : values) {
-            all = {std::min(all.lower, own[value]), std::max(all.upper, own[value])};
+        for (size_t i = 3; i < records.size(); i += record_width) {
+            all = {std::min(all.lower, records[i]), std::max(all.upper, records[i])};
         }
-        return values.empty() ? Interval{0, 0} : Interval{all.lower - room, all.upper + room};
+        return records.empty() ? Interval{0, 0} : Interval{all.lower - room, all.upper + room};
     }
 };
 
-Interval product(const Interval &a, const Interval &b) noexcept {
-    const auto [least, most] =
-        std::minmax({a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper});
-    return {least, most};
+Interval along_records(const std::vector<double> &records, const Vector3 &vector, double room) noexcept {
+    Interval all{infinity, -infinity};
+    for (size_t i = 0; i < records.size(); i += record_width) {
+        const double x = vector.x * records[i] + vector.y * records[i + 1] + vector.z * records[i + 2];
+        all = {std::min(all.lower, x), std::max(all.upper, x)};
+    }
+    return records.empty() ? Interval{0, 0} : Interval{all.lower - room, all.upper + room};
 }
 
 } // namespace
 
-// S_kl = (A_kl - w_kl (S - centre) - w_k S_l - w_l S_k) / w with A = w (S - centre).
-CrossBends CrossCell::bends_along(const Vector3 &vector) const {
-    const auto [p, q] = piece_->degrees;
-    PlaneNet net{{p + 1, q + 1}, {}};
-    std::vector<double> wide(records_.size()), half(records_.size());
-    widen(records_.data(), half.data(), wide.data());
-    double largest_weight = 0;
-    for (size_t i = 0; i < wide.size(); i += record_width) {
-        const double w = wide[i + 3];
-        largest_weight = std::max(largest_weight, w);
-        net.values.push_back({vector.x * (wide[i] - w * centre_.x) +
-                                  vector.y * (wide[i + 1] - w * centre_.y) +
-                                  vector.z * (wide[i + 2] - w * centre_.z),
-                              w});
+// The second derivatives of A = w (S - centre) and w.
+struct CrossCell::Seconds {
+    std::array<std::vector<double>, 3> nets; // records: of 00, 01 and 11
+    std::array<Interval, 2> turns;           // w_0 and w_1
+    std::array<Interval, 3> second_turns;    // w_00, w_01 and w_11
+    double room;                             // of products with vectors of length 1
+    bool weighted;                           // by weights that are not all one
+    std::array<double, 2> largest_slopes;
+};
+
+CrossCell::~CrossCell() = default;
+CrossCell::CrossCell(CrossCell &&) noexcept = default;
+
+bool CrossCell::has_weights() const noexcept {
+    for (size_t i = 3; i < records_.size(); i += record_width) {
+        if (records_[i] != records_[3]) {
+            return true;
+        }
     }
-    count_work(30 * std::ssize(net.values));
+    return false;
+}
+
+const CrossCell::Seconds &CrossCell::seconds() const {
+    if (seconds_) {
+        return *seconds_;
+    }
+    const auto [p, q] = piece_->degrees;
+    RecordNet net{{p + 1, q + 1}, std::vector<double>(records_.size())};
+    std::vector<double> half(records_.size());
+    widen(records_.data(), half.data(), net.records.data());
+    double largest_weight = 0;
+    for (double *record = net.records.data(); record < net.records.data() + net.records.size();
+         record += record_width) {
+        largest_weight = std::max(largest_weight, record[3]);
+        record[0] -= record[3] * centre_.x;
+        record[1] -= record[3] * centre_.y;
+        record[2] -= record[3] * centre_.z;
+    }
+    count_work(20 * std::ssize(net.records));
     const double wider = 1 + 2 * widening;
     const std::array<double, 2> factors{p / wider, q / wider};
-    const std::array<PlaneNet, 2> first{net.derivative(0, factors[0]), net.derivative(1, factors[1])};
-    const double room = 16 * (factors[0] + factors[1] + 1) * (factors[0] + factors[1] + 1) * largest_weight *
-                        (error_ + 8 * eps * reach_) * std::pow(wider, p + q);
-    const double room_of_weight = room / std::max(piece_->piece.reach(), eps);
-    CrossBends result{along(vector), {}};
+    const std::array<RecordNet, 2> first{net.derivative(0, factors[0]), net.derivative(1, factors[1])};
+    auto result = std::make_unique<Seconds>();
+    result->weighted = has_weights();
+    result->largest_slopes = {largest_slope(0), largest_slope(1)};
+    result->room = 16 * (factors[0] + factors[1] + 1) * (factors[0] + factors[1] + 1) * largest_weight *
+                   (error_ + 8 * eps * reach_) * std::pow(wider, p + q);
+    const double room_of_weight = result->room / std::max(piece_->piece.reach(), eps);
     for (size_t d = 0; d < 3; ++d) {
         const size_t k = d == 2 ? 1 : 0, l = d == 0 ? 0 : 1;
-        const PlaneNet second =
+        RecordNet second =
             first[k].derivative(l, l == k ? std::max(factors[l] - 1 / wider, 0.0) : factors[l]);
-        const Interval turn_k = first[k].range(1, room_of_weight), turn_l = first[l].range(1, room_of_weight);
-        Interval sum = second.range(0, room);
-        for (const Interval &less :
-             {product(second.range(1, room_of_weight), result.extents.points),
-              product(turn_k, result.extents.slopes[l]), product(turn_l, result.extents.slopes[k])}) {
-            sum = {sum.lower - less.upper, sum.upper - less.lower};
-        }
-        result.bends[d] = product(sum, {1 / weights_.upper, 1 / weights_.lower});
+        result->second_turns[d] = second.weights(room_of_weight);
+        result->nets[d] = std::move(second.records);
+    }
+    result->turns = {first[0].weights(room_of_weight), first[1].weights(room_of_weight)};
+    seconds_ = std::move(result);
+    return *seconds_;
+}
+
+// S_kl = (A_kl - w_kl (S - centre) - w_k S_l - w_l S_k) / w.
+std::array<Interval, 3> CrossCell::seconds_from(const Vector3 &vector, const CrossExtents &extents) const {
+    const Seconds &seconds = this->seconds();
+    const double room = 1.0001 * numeric::length(vector) * seconds.room;
+    count_work(4 * std::ssize(seconds.nets[1]));
+    std::array<Interval, 3> result{};
+    for (size_t d = 0; d < 3; ++d) {
+        const size_t k = d == 2 ? 1 : 0, l = d == 0 ? 0 : 1;
+        const Interval sum = along_records(seconds.nets[d], vector, room) -
+                             seconds.second_turns[d] * extents.points - seconds.turns[k] * extents.slopes[l] -
+                             seconds.turns[l] * extents.slopes[k];
+        result[d] = sum * Interval{1 / weights_.upper, 1 / weights_.lower};
     }
     return result;
+}
+
+CrossBends CrossCell::bends_along(const Vector3 &vector) const {
+    const CrossExtents extents = along(vector);
+    return {extents, seconds_from(vector, extents)};
+}
+
+// Extents matter only where weights change.
+std::array<Interval, 3> CrossCell::seconds_along(const Vector3 &vector) const {
+    const Seconds &seconds = this->seconds();
+    if (seconds.weighted) {
+        return seconds_from(vector, along(vector));
+    }
+    const double size = 1.0001 * numeric::length(vector);
+    return seconds_from(
+        vector, {around(size * reach_),
+                 {around(size * seconds.largest_slopes[0]), around(size * seconds.largest_slopes[1])}});
 }
 
 } // namespace nrb::intersect

@@ -71,6 +71,21 @@ CrossCell::CrossCell(const CrossCell &whole, size_t axis, size_t end, std::pmr::
     set_box();
 }
 
+CrossCell::CrossCell(const CrossCell &whole, const std::array<Interval, 2> &places,
+                     std::pmr::vector<double> records)
+    : piece_(whole.piece_), depth_(whole.depth_ + 4), records_(std::move(records)),
+      wide_(records_.get_allocator()) {
+    for (size_t k = 0; k < 2; ++k) {
+        const auto at = [&](double place) {
+            return place == 1 ? whole.upper_[k] : whole.lower_[k] + place * whole.length_[k];
+        };
+        lower_[k] = at(places[k].lower);
+        upper_[k] = at(places[k].upper);
+        length_[k] = upper_[k] - lower_[k];
+    }
+    set_box();
+}
+
 CrossCell::CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places)
     : piece_(&piece), records_(static_cast<size_t>(piece.piece.coefficients()) * width) {
     Scratch scratch(records_.size());
@@ -340,21 +355,41 @@ size_t CrossCell::axis_of_halves() const noexcept {
     return length_[1] > length_[0] ? 1 : 0;
 }
 
-bool CrossCell::split(std::deque<CrossCell> &all) {
-    if (halves_[0] != nullptr) {
-        return true;
+CrossCell::Halves CrossCell::halves(std::deque<CrossCell> &all, std::optional<size_t> along) {
+    if (!along && !usual_axis_) {
+        usual_axis_ = axis_of_halves();
     }
-    const size_t axis = axis_of_halves();
-    if (piece_->degrees[axis] == 0 || length_[axis] <= least_length_of_parts) {
-        return false;
+    const size_t axis = along ? *along : *usual_axis_;
+    Halves &halves = halves_[axis];
+    if (halves[0] != nullptr || piece_->degrees[axis] == 0 || length_[axis] <= least_length_of_parts) {
+        return halves;
     }
     const AxisLayers layers = layers_along(axis, piece_->degrees);
     std::pmr::vector<double> upper(records_, records_.get_allocator()),
         lower(records_.size(), records_.get_allocator());
     subdivide(layers, place_of_halves, upper.data(), lower.data());
-    halves_[1] = &all.emplace_back(*this, axis, 1, std::move(upper));
-    halves_[0] = &all.emplace_back(*this, axis, 0, std::move(lower));
-    return true;
+    halves[1] = &all.emplace_back(*this, axis, 1, std::move(upper));
+    halves[0] = &all.emplace_back(*this, axis, 0, std::move(lower));
+    return halves;
+}
+
+CrossCell *CrossCell::part(std::deque<CrossCell> &all, const std::array<Interval, 2> &places) const {
+    constexpr double largest_shift = 0x1p-14; // far less than what is known to be empty at sides of parts
+    std::pmr::vector<double> records(records_, records_.get_allocator());
+    std::vector<double> whole(records_.size());
+    for (size_t k = 0; k < 2; ++k) {
+        const auto [lower, upper] = places[k];
+        if (!((upper - lower) * length_[k] > least_length_of_parts) ||
+            !(piece_->shift[k] <= largest_shift * length_[k])) {
+            return nullptr;
+        }
+        if (lower > 0 || upper < 1) {
+            std::ranges::copy(records, whole.begin());
+            apply_along(part_matrix(piece_->degrees[k], lower, upper), layers_along(k, piece_->degrees),
+                        whole.data(), records.data());
+        }
+    }
+    return &all.emplace_back(*this, places, std::move(records));
 }
 
 } // namespace nrb::intersect

@@ -106,8 +106,13 @@ public:
     CrossCell(const CrossPiece &piece, std::pmr::memory_resource *memory);
     // A half, with its records.
     CrossCell(const CrossCell &whole, size_t axis, size_t end, std::pmr::vector<double> records);
+    // A part between places, with its records.
+    CrossCell(const CrossCell &whole, const std::array<Interval, 2> &places,
+              std::pmr::vector<double> records);
     // Any part, which is not halved.
     CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places);
+    CrossCell(CrossCell &&other) noexcept;
+    ~CrossCell();
 
     [[nodiscard]] const CrossPiece &piece() const noexcept { return *piece_; }
     [[nodiscard]] double lower(size_t axis) const noexcept { return lower_[axis]; } // in [0, 1]
@@ -147,17 +152,21 @@ public:
     bool prepare();
     [[nodiscard]] const Vector3 &centre() const noexcept { return centre_; } // the point in the middle
     [[nodiscard]] const Vector3 &slope(size_t axis) const noexcept { return slope_[axis]; }
+    [[nodiscard]] double slope_error(size_t axis) const noexcept { return slope_errors_[axis]; }
     [[nodiscard]] CrossExtents along(const Vector3 &vector) const noexcept;
     [[nodiscard]] Interval points_along(const Vector3 &vector) const noexcept;
     [[nodiscard]] CrossBends bends_along(const Vector3 &vector) const;
+    [[nodiscard]] std::array<Interval, 3> seconds_along(const Vector3 &vector) const; // bends alone
     // Of derivatives by places in the part.
     [[nodiscard]] double largest_slope(size_t axis) const noexcept;
     [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
 
-    // Its halves along an axis that is always the same; false: it is too small. Of an axis without a degree
-    // there are none.
-    bool split(std::deque<CrossCell> &all);
-    [[nodiscard]] CrossCell *half(size_t end) const noexcept { return halves_[end]; }
+    // Its halves along an axis, or along one that is always the same; null: it is too small. Of an axis without a degree there
+    // are none.
+    using Halves = std::array<CrossCell *, 2>;
+    Halves halves(std::deque<CrossCell> &all, std::optional<size_t> axis = std::nullopt);
+    // A part of it, with a 2^-12th of it at each side that is empty, as sides are shifted; null: it is too small.
+    CrossCell *part(std::deque<CrossCell> &all, const std::array<Interval, 2> &places) const;
 
 private:
     [[nodiscard]] std::span<const double> points() const noexcept { return {wide_.data(), wide_.size() / 3}; }
@@ -172,6 +181,11 @@ private:
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
     void set_slopes(const std::vector<double> &records, size_t axis, double turn);
     [[nodiscard]] size_t axis_of_halves() const noexcept;
+    [[nodiscard]] bool has_weights() const noexcept;
+    [[nodiscard]] std::array<Interval, 3> seconds_from(const Vector3 &vector,
+                                                       const CrossExtents &extents) const;
+    struct Seconds;
+    [[nodiscard]] const Seconds &seconds() const; // made when they are first asked for
 
     const CrossPiece *piece_;
     std::array<double, 2> lower_{0, 0}, upper_{1, 1}, length_{1, 1};
@@ -189,7 +203,9 @@ private:
     std::array<double, 2> slope_errors_{};
     Vector3 centre_;
     std::array<Vector3, 2> slope_;
-    std::array<CrossCell *, 2> halves_{};
+    std::array<Halves, 2> halves_{}; // by axes
+    std::optional<size_t> usual_axis_;
+    mutable std::unique_ptr<const Seconds> seconds_;
 };
 
 // Whether their boxes are.

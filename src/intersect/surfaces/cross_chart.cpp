@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "intersect/surfaces/cross_chart.h"
 
+#include "base/numbers.h"
 #include "base/watch.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace {
 
 // A determinant that is smaller than this, in parts of the lengths of its columns, is none.
 constexpr double least_determinant = 1e-11;
-// What is above leaves directions so wide that nothing follows from them.
-constexpr double most_rho = 0.6;
+// What hangs together more leaves directions so wide that nothing follows from them.
+constexpr double most_rho = 0.6, most_coupling = 2.5;
 // Of the places that a chart has to tell apart.
 constexpr double least_digits = 0x1p-4;
 
@@ -23,10 +24,6 @@ std::array<size_t, 3> others_of(size_t k) noexcept {
 
 Interval negative(const Interval &x) noexcept {
     return {-x.upper, -x.lower};
-}
-
-double largest_of(const Interval &x) noexcept {
-    return std::max(std::abs(x.lower), std::abs(x.upper));
 }
 
 } // namespace
@@ -70,12 +67,17 @@ bool CrossChart::set_rows(const CrossCell &a, const CrossCell &b) {
     rows_[i] = inverse * across;
     rows_[j] = inverse * cross(z, x);
     rows_[k] = inverse * cross(x, y);
+    set_norms();
+    own_norms_ = norms_;
+    return std::isfinite(most_norm_);
+}
+
+void CrossChart::set_norms() noexcept {
     most_norm_ = 0;
     for (size_t r = 0; r < 4; ++r) {
         norms_[r] = 1.0001 * length(rows_[r]);
         most_norm_ = std::max(most_norm_, norms_[r]);
     }
-    return std::isfinite(most_norm_);
 }
 
 // Row i of M F, M F'_k and I - M F'; false: M F is nowhere 0.
@@ -93,11 +95,12 @@ bool CrossChart::set_row(size_t i, const CrossCell &a, const CrossCell &b) {
     for (size_t k = 0; k < 4; ++k) {
         if (k != axis_) {
             const double wanted = k == i ? 1 : 0;
-            off[k / 2] += largest_of({columns[k].lower - wanted, columns[k].upper - wanted});
+            const double own = magnitude_of({columns[k].lower - wanted, columns[k].upper - wanted});
+            coupling_.set_off(i, k, 1.0001 * own + 16 * eps);
+            off[k / 2] += own;
         }
     }
     shifts_[i] = columns[axis_];
-    rho_[i] = 1.0001 * (off[0] + off[1]) + 32 * eps;
     off[axis_ / 2] += (shifts_[i].upper - shifts_[i].lower) / 2;
     for (size_t s = 0; s < 2; ++s) {
         bends_[s] = std::max(bends_[s], off[s]);
@@ -108,75 +111,215 @@ bool CrossChart::set_row(size_t i, const CrossCell &a, const CrossCell &b) {
 CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
     near_ = 1.01 * (a.piece().error + b.piece().error);
     count_work(400);
+    sheared_ = false;
+    start_.fill(0.5);
+    ranges_.fill({-infinity, infinity});
+    leans_ = leans_along_ = aside_ = {};
+    most_difference_ = infinity;
     has_rows_ = set_rows(a, b);
     if (!has_rows_) {
         return Verdict::flat;
     }
     bends_ = {};
-    most_rho_ = 0;
+    coupling_.clear();
     for (const size_t i : others_of(axis_)) {
         count_work(800);
         if (!set_row(i, a, b)) {
             return Verdict::apart;
         }
-        most_rho_ = std::max(most_rho_, rho_[i]);
     }
     shifts_[axis_] = {-1, -1};
-    rho_[axis_] = 0;
-    if (!(most_rho_ <= most_rho) || !(most_norm_ * near_ < least_digits)) {
+    coupled_ = coupling_.norm() <= most_rho;
+    if (!coupled_ || !(most_norm_ * near_ < least_digits)) {
         return Verdict::bent;
     }
+    own_shifts_ = shifts_;
     set_rises();
     return Verdict::chart;
 }
 
 void CrossChart::set_rises() noexcept {
-    double fastest = 0;
-    for (size_t i = 0; i < 4; ++i) {
-        fastest = i == axis_ ? fastest : std::max(fastest, largest_of(shifts_[i]));
+    CrossPlace fastest{};
+    for (const size_t i : others_of(axis_)) {
+        fastest[i] = magnitude_of(own_shifts_[i]);
     }
+    const CrossPlace room = from_own(coupling_.drift(reach_of(fastest)));
     for (size_t i = 0; i < 4; ++i) {
-        const double room = i == axis_ ? 0 : 1.0001 * rho_[i] * fastest / (1 - most_rho_);
-        rises_[i] = {-shifts_[i].upper - room, -shifts_[i].lower + room};
+        rises_[i] = {-shifts_[i].upper - room[i], -shifts_[i].lower + room[i]};
     }
 }
 
-// What the columns of one surface add to rho_i.
-double CrossChart::off(size_t i, size_t surface, const CrossCell &cell,
-                       const std::array<double, 2> &factors) const noexcept {
+// Whether zeros are known to be beside the box, or to stay in it, from what is known of one of them.
+bool CrossChart::has_narrow_rises() const noexcept {
+    constexpr double widest = 2;
+    for (size_t i = 0; i < 4; ++i) {
+        const bool inside = ranges_[i].lower > 0 && ranges_[i].upper < 1;
+        if (!inside && !(width_of(rises_[i]) <= widest)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+CrossPlace CrossChart::drift(const CrossPlace &step, double off, double far,
+                             const CrossPlace &farthest) const noexcept {
+    CrossPlace size{};
+    for (const size_t i : others_of(axis_)) {
+        size[i] =
+            std::abs(of_own(i, step)) + off * own_norms_[i] * near_ + magnitude_of(own_shifts_[i]) * far;
+    }
+    CrossPlace reach = reach_of(size);
+    for (size_t i = 0; i < 4; ++i) {
+        const double most =
+            sheared_ ? farthest[i] + std::abs(leans_[i]) * farthest[across_] + std::abs(leans_along_[i]) * far
+                     : largest(farthest);
+        reach[i] = std::min(reach[i], most);
+    }
+    return from_own(coupling_.drift(reach));
+}
+
+// Boxes of parts are about as long along both axes, those of a shear are not.
+CrossPlace CrossChart::reach_of(const CrossPlace &size) const noexcept {
+    return sheared_ ? coupling_.reach(size) : coupling_.reach_in_norm(size);
+}
+
+// Of coordinates, from those of x and sigma.
+CrossPlace CrossChart::from_own(CrossPlace bounds) const noexcept {
+    for (size_t i = 0; i < 4; ++i) {
+        bounds[i] += leans_[i] == 0 ? 0 : 1.0001 * std::abs(leans_[i]) * bounds[across_];
+    }
+    return bounds;
+}
+
+bool CrossChart::holds_at(const CrossPlace &z) const noexcept {
+    const auto away = [&](size_t i) { return z[i] - start_[i]; };
+    for (size_t i = 0; i < 4 && sheared_; ++i) {
+        if (i / 2 != axis_ / 2 &&
+            !(std::abs(away(i) - leans_[i] * away(across_) - leans_along_[i] * away(axis_)) <= aside_[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+CrossPlace CrossChart::off_at(double difference) const noexcept {
+    CrossPlace size{};
+    for (const size_t i : others_of(axis_)) {
+        size[i] = difference <= most_difference_ ? own_norms_[i] * difference : infinity;
+    }
+    const CrossPlace drift = coupling_.drift(reach_of(size));
+    for (size_t i = 0; i < 4; ++i) {
+        size[i] = 1.0001 * (size[i] + drift[i]);
+    }
+    return from_own(size);
+}
+
+// What the columns of one surface make of row i.
+void CrossChart::add_offs(size_t i, size_t surface, const CrossCell &cell,
+                          const std::array<double, 2> &factors, Coupling<4> &coupling) const noexcept {
     const CrossExtents extents = cell.along(rows_[i]);
-    double sum = 0;
     for (size_t k = 0; k < 2; ++k) {
         const size_t column = 2 * surface + k;
         const double sign = surface == 0 ? factors[k] : -factors[k], wanted = column == i ? 1 : 0;
         if (column != axis_) {
-            sum += std::max(std::abs(sign * extents.slopes[k].lower - wanted),
-                            std::abs(sign * extents.slopes[k].upper - wanted));
+            const double own = std::max(std::abs(sign * extents.slopes[k].lower - wanted),
+                                        std::abs(sign * extents.slopes[k].upper - wanted));
+            coupling.set_off(i, column, std::max(coupling.off(i, column), 1.0001 * own + 16 * eps));
         }
     }
-    return 1.0001 * sum + 16 * eps;
 }
 
 bool CrossChart::goes_on(const CrossCell &a, const CrossCell &b, std::span<const CrossCell::Beyond> beyond_a,
                          std::span<const CrossCell::Beyond> beyond_b) const noexcept {
     constexpr double most = 0.9;
+    if (sheared_) {
+        return false;
+    }
+    Coupling<4> coupling;
     for (const size_t i : others_of(axis_)) {
-        const auto largest = [&](size_t surface, const CrossCell &own,
-                                 std::span<const CrossCell::Beyond> beyond) {
-            double result = off(i, surface, own, {1, 1});
+        const auto add = [&](size_t surface, const CrossCell &own,
+                             std::span<const CrossCell::Beyond> beyond) {
+            add_offs(i, surface, own, {1, 1}, coupling);
             for (const CrossCell::Beyond &part : beyond) {
                 std::array<double, 2> factors{1, 1};
                 factors[part.axis] = part.factor;
-                result = std::max(result, off(i, surface, part.cell, factors));
+                add_offs(i, surface, part.cell, factors, coupling);
             }
-            return result;
         };
         count_work(800);
-        if (!(largest(0, a, beyond_a) + largest(1, b, beyond_b) <= most)) {
-            return false;
+        add(0, a, beyond_a);
+        add(1, b, beyond_b);
+    }
+    return coupling.norm() <= most;
+}
+
+// k is the one of both x along which n . G changes less.
+void CrossChart::set_lean(const CrossShear &shear, size_t base) {
+    const auto middle = [&](size_t j) { return shear.slope(j).lower / 2 + shear.slope(j).upper / 2; };
+    const size_t j = std::abs(middle(0)) >= std::abs(middle(1)) ? 0 : 1, other = 2 - base;
+    across_ = base + j;
+    axis_ = base + 1 - j;
+    const double slope = middle(j), sign = base == 0 ? 1 : -1; // F = +-G
+    leans_ = leans_along_ = aside_ = {};
+    rows_[axis_] = {};
+    rows_[across_] = (sign / slope) * shear.normal();
+    own_norms_[axis_] = 0;
+    own_norms_[across_] = 1.0001 / std::abs(slope);
+    own_shifts_[across_] = (1 / slope) * shear.slope(1 - j);
+    most_difference_ = infinity;
+    for (size_t m = 0; m < 2; ++m) {
+        const size_t i = other + m;
+        leans_[i] = shear.lean(m, j);
+        leans_along_[i] = shear.lean(m, 1 - j);
+        aside_[i] = shear.most_aside(m);
+        rows_[i] = leans_[i] * rows_[across_] - sign * shear.dual(m);
+        own_norms_[i] = 1.0001 * length(shear.dual(m));
+        own_shifts_[i] = -1 * shear.along(m, 1 - j);
+        most_difference_ = std::min(most_difference_, shear.free() / own_norms_[i]);
+        start_[base + m] = shear.start_x()[m];
+        start_[i] = shear.start_y()[m];
+        ranges_[base + m] = shear.range_of_x(m);
+        ranges_[i] = shear.range_of_y(m);
+    }
+    const auto &of_a = base == 0 ? shear.slopes_of_x() : shear.slopes_of_y();
+    const auto &of_b = base == 0 ? shear.slopes_of_y() : shear.slopes_of_x();
+    direction_ = common_direction(of_a, of_b)[axis_] > 0 ? 1 : -1;
+    set_norms();
+}
+
+void CrossChart::couple(const CrossShear &shear) {
+    const size_t base = across_ / 2 * 2, other = 2 - base, j = across_ - base;
+    const auto bound = [](const Interval &x) { return 1.0001 * magnitude_of(x) + 16 * eps; };
+    const double slope = shear.slope(j).lower / 2 + shear.slope(j).upper / 2;
+    coupling_.clear();
+    coupling_.set_off(across_, across_, bound((1 / slope) * shear.slope(j) - Interval{1, 1}));
+    for (size_t m = 0; m < 2; ++m) {
+        coupling_.set_off(across_, other + m, bound((1 / slope) * shear.tilt(m)));
+        coupling_.set_off(other + m, across_, bound(shear.along(m, j)));
+        for (size_t i = 0; i < 2; ++i) {
+            const double wanted = i == m ? 1 : 0;
+            coupling_.set_off(other + m, other + i, bound(shear.own(m, i) - Interval{wanted, wanted}));
         }
     }
-    return true;
+}
+
+CrossChart::Verdict CrossChart::set_sheared(size_t base, const CrossShear &shear) {
+    sheared_ = true;
+    set_lean(shear, 2 * base);
+    couple(shear);
+    coupled_ = coupling_.invert(most_coupling);
+    if (!std::isfinite(most_norm_) || !coupled_ || !(most_norm_ * near_ < least_digits)) {
+        return Verdict::bent;
+    }
+    for (size_t i = 0; i < 4; ++i) {
+        const double along = leans_along_[i];
+        shifts_[i] = i == across_
+                         ? own_shifts_[i]
+                         : own_shifts_[i] + leans_[i] * own_shifts_[across_] - Interval{along, along};
+    }
+    own_shifts_[axis_] = shifts_[axis_] = {-1, -1};
+    set_rises();
+    return has_narrow_rises() ? Verdict::chart : Verdict::bent;
 }
 
 CrossPlace CrossChart::step(const Vector3 &difference) const noexcept {

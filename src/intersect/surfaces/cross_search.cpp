@@ -113,8 +113,8 @@ void CrossSearch::settle_crowds() {
         }
     }
     crowds_.settle();
-    for (const auto &[pair, first, thickness] : flat_) {
-        crowds_.is_crowded(pair.of) ? add(pair) : halve(pair, first);
+    for (const auto &[pair, cut, thickness] : flat_) {
+        crowds_.is_crowded(pair.of) ? add(pair) : halve(pair, cut);
     }
     flat_.clear();
     settle_side_by_side();
@@ -186,28 +186,80 @@ void CrossSearch::look(Pair pair) {
         return;
     }
     if (!pair.a->prepare() || !pair.b->prepare()) {
-        halve(pair, !pair.a->prepare());
+        halve(pair, {!pair.a->prepare(), std::nullopt});
         return;
     }
-    box_.a = pair.a;
-    box_.b = pair.b;
-    switch (box_.chart.set(*pair.a, *pair.b)) {
+    switch (set_chart(pair)) {
     case CrossChart::Verdict::apart:
         return;
-    case CrossChart::Verdict::chart: {
-        const ArcFinder::Verdict verdict = finder_.look(box_);
-        if (verdict == ArcFinder::Verdict::arc) {
-            count_work(work_of_a_kept_part);
-            found_.arcs.push_back(finder_.arc());
-        } else if (verdict == ArcFinder::Verdict::open) {
-            halve({pair.a, pair.b, pair.of, true, pair.no_contact}, box_.chart.first_bends_more());
-        }
+    case CrossChart::Verdict::chart:
+        look_for_arc(pair);
         return;
-    }
     case CrossChart::Verdict::bent:
     case CrossChart::Verdict::flat:
         look_at_flat(pair);
     }
+}
+
+// Where planes of tangents are nearly one, a sheared one if no other is there.
+CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
+    constexpr double nearly = 0.9, far = 8; // in tolerances
+    box_.a = pair.a;
+    box_.b = pair.b;
+    cut_.reset();
+    parts_ = {};
+    const CrossChart::Verdict verdict = box_.chart.set(*pair.a, *pair.b);
+    if (verdict == CrossChart::Verdict::apart || verdict == CrossChart::Verdict::chart || pair.no_shear ||
+        !are_parallel(*pair.a, *pair.b, nearly)) {
+        return verdict;
+    }
+    first_is_x_ = pair.a->size() <= pair.b->size();
+    switch (first_is_x_ ? shear_.set(*pair.a, *pair.b, tolerance_)
+                        : shear_.set(*pair.b, *pair.a, tolerance_)) {
+    case CrossShear::Verdict::apart:
+        return CrossChart::Verdict::apart;
+    case CrossShear::Verdict::bounded:
+        if (!shear_.come_apart() && shear_.height() <= far * tolerance_) {
+            return verdict;
+        }
+        break;
+    case CrossShear::Verdict::useless:
+        pair.no_shear = true;
+        return verdict;
+    case CrossShear::Verdict::open:
+        return verdict;
+    }
+    const CrossChart::Verdict sheared = box_.chart.set_sheared(first_is_x_ ? 0 : 1, shear_);
+    keep_cut(pair);
+    return sheared;
+}
+
+// Of a pair with a shear. Where unknowns are coupled a little, planes of tangents have one line in common, and k is what is left to halve.
+void CrossSearch::keep_cut(Pair &pair) {
+    parts_ = shear_.parts();
+    cut_ = {shear_.cut().first == first_is_x_, shear_.cut().axis};
+    if (box_.chart.is_coupled()) {
+        pair.no_contact = true;
+        cut_ = {first_is_x_, box_.chart.axis() % 2};
+    }
+}
+
+void CrossSearch::look_for_arc(const Pair &pair) {
+    const ArcFinder::Verdict verdict = finder_.look(box_);
+    if (verdict == ArcFinder::Verdict::arc) {
+        count_work(work_of_a_kept_part);
+        found_.arcs.push_back(finder_.arc());
+    } else if (verdict == ArcFinder::Verdict::open) {
+        divide({pair.a, pair.b, pair.of, true, pair.no_contact, pair.no_shear}, usual_cut(pair));
+    }
+}
+
+CrossSearch::Cut CrossSearch::usual_cut(const Pair &pair) const noexcept {
+    if (cut_) {
+        return *cut_;
+    }
+    const bool by_rows = box_.chart.has_rows();
+    return {by_rows ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size(), std::nullopt};
 }
 
 // Whether both are one sheet of a surface, or side by side on it.
@@ -297,8 +349,7 @@ void CrossSearch::look_at_flat(Pair pair) {
     if (thickness < 0 || look_for_contact(pair)) {
         return;
     }
-    const bool first =
-        box_.chart.has_rows() ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size();
+    const Cut cut = usual_cut(pair);
     if (thickness <= thick * error) {
         if (!pair.graph && !are_side_by_side(*pair.a, *pair.b)) {
             add(pair);
@@ -309,83 +360,10 @@ void CrossSearch::look_at_flat(Pair pair) {
     if (crowded && (thin || are_parallel(*pair.a, *pair.b, 0.8))) {
         add(pair);
     } else if (thin || are_along(pair)) {
-        flat_.push_back({pair, first, thickness});
+        flat_.push_back({pair, cut, thickness});
     } else {
-        halve(pair, first);
+        divide(pair, cut);
     }
-}
-
-void CrossSearch::halve(const Pair &pair, bool first) {
-    const double error = 4 * (pair.a->piece().error + pair.b->piece().error);
-    const bool pole = pair.a->has_pole() || pair.b->has_pole(); // where parts never have charts
-    const double small = pole ? std::max(error, tolerance_ / 4) : error;
-    for (const bool of_a : {first, !first}) {
-        CrossCell &cell = of_a ? *pair.a : *pair.b;
-        if (cell.size() > small && cell.split((of_a ? a_ : b_).parts)) {
-            for (size_t end = 0; end < 2; ++end) {
-                next_.push_back({of_a ? cell.half(end) : pair.a, of_a ? pair.b : cell.half(end), pair.of,
-                                 pair.graph, pair.no_contact});
-            }
-            return;
-        }
-    }
-    if (!pair.graph) {
-        add(pair);
-    }
-}
-
-// What is side by side has no charts, as a surface meets itself there.
-void CrossSearch::halve_both(const Pair &pair) {
-    const double small = 4 * (pair.a->piece().error + pair.b->piece().error);
-    const auto halves = [&](CrossCell &cell, CrossSide &side) -> std::array<CrossCell *, 2> {
-        cell.prepare(); // so that both sides have the same parts
-        if (cell.size() > small && cell.split(side.parts)) {
-            return {cell.half(0), cell.half(1)};
-        }
-        return {&cell, nullptr};
-    };
-    const auto of_a = halves(*pair.a, a_), of_b = halves(*pair.b, b_);
-    if (of_a[1] == nullptr && of_b[1] == nullptr) {
-        add(pair);
-        return;
-    }
-    for (CrossCell *a : of_a) {
-        for (CrossCell *b : of_b) {
-            if (a != nullptr && b != nullptr) {
-                next_.push_back({a, b, pair.of});
-            }
-        }
-    }
-}
-
-std::array<Interval, 4> ranges_of(const CrossCell &a, const CrossCell &b) noexcept {
-    const std::array<Interval, 2> of_a = a.ranges(), of_b = b.ranges();
-    return {of_a[0], of_a[1], of_b[0], of_b[1]};
-}
-
-std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept {
-    return ranges_of(*box.a, *box.b);
-}
-
-void CrossSearch::add(const Pair &pair) {
-    count_work(work_of_a_kept_part);
-    found_.clusters.push_back({ranges_of(*pair.a, *pair.b)});
-}
-
-// Of groups of pieces all of the surface.
-void CrossSearch::add_unknown(const PairCell &a, const PairCell &b) {
-    CrossCluster &cluster = found_.clusters.emplace_back();
-    const auto set = [&](const PairCell &cell, const pieces::PieceGrid &grid, size_t at) {
-        for (size_t k = 0; k < 2; ++k) {
-            const int axis = static_cast<int>(k);
-            cluster.ranges[at + k] = {grid.break_at(axis, 0), grid.break_at(axis, grid.count(axis))};
-            if (cell.piece) {
-                cluster.ranges[at + k] = {cell.piece->parameter({0, 0})[k], cell.piece->parameter({1, 1})[k]};
-            }
-        }
-    };
-    set(a, a_.ground.grid, 0);
-    set(b, b_.ground.grid, 2);
 }
 
 } // namespace nrb::intersect

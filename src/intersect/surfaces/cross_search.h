@@ -57,12 +57,13 @@ private:
     using PairCell = closest::PairCell;
     // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
     // both sides of it go on in each other, or end.
-    // no_contact: of a pair that does not touch where it is nearest.
+    // no_contact: of a pair that does not touch where it is nearest; no_shear: of one that does not bend alike.
     struct Pair {
         CrossCell *a, *b;
         CrossCrowds::Number of; // the pieces
         bool graph = false;
         bool no_contact = false;
+        bool no_shear = false;
     };
 
     void find_pieces();
@@ -72,7 +73,15 @@ private:
     bool is_of_one_surface(Pair &pair);
     [[nodiscard]] bool are_in_one_place(const Pair &pair) const noexcept;
     void halve_both(const Pair &pair);
-    void halve(const Pair &pair, bool first);
+    // What is halved, along an axis if it is known which one.
+    using Cut = CrossShear::Cut;
+    [[nodiscard]] Cut usual_cut(const Pair &pair) const noexcept;
+    CrossChart::Verdict set_chart(Pair &pair);
+    void keep_cut(Pair &pair);
+    void look_for_arc(const Pair &pair);
+    void divide(const Pair &pair, const Cut &cut);
+    void halve(const Pair &pair, const Cut &cut);
+    bool take_parts(const Pair &pair);
     void look_at_flat(Pair pair);
     bool look_for_contact(Pair &pair);
     [[nodiscard]] bool are_along(const Pair &pair) const;
@@ -90,7 +99,7 @@ private:
     std::vector<std::pair<PairCell *, PairCell *>> stack_;
     struct FlatPair {
         Pair pair;
-        bool first;       // which of both is halved
+        Cut cut;
         double thickness; // if more than the tolerance, one lies on the other one, as far as its middle tells
     };
     std::vector<Pair> pairs_, next_;
@@ -100,6 +109,11 @@ private:
     ContactSolver solver_;
     ContactChart contact_;
     ArcFinder finder_;
+    CrossShear shear_;
+    // Of the present pair.
+    std::optional<Cut> cut_;
+    CrossShear::Parts parts_;
+    bool first_is_x_ = true; // of the shear
     std::optional<SelfPairs> self_;
     CrossBox box_{};
     CrossParts found_;

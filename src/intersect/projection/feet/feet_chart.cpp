@@ -18,10 +18,6 @@ std::array<size_t, 2> others_of(size_t k) noexcept {
     return {k == 0 ? size_t{1} : 0, k <= 1 ? size_t{2} : 1};
 }
 
-double largest_of(const Interval &x) noexcept {
-    return std::max(std::abs(x.lower), std::abs(x.upper));
-}
-
 // The null vector of F'.
 FeetPlace null_vector(const FeetSlopes &s) noexcept {
     return {s[0][1] * s[1][2] - s[0][2] * s[1][1], s[0][2] * s[1][0] - s[0][0] * s[1][2],
@@ -178,11 +174,10 @@ bool FeetChart::set_row(size_t i, FeetNets &nets) {
     const std::vector<double> &net = nets.combined(a, b);
     noise_[i] = 1.0001 * (std::abs(a) * nets.near(0) + std::abs(b) * nets.near(1));
     const Interval range = FeetNets::range_of(net);
-    const double far = largest_of(range), room = noise_[i] + 8 * eps * far;
+    const double far = magnitude_of(range), room = noise_[i] + 8 * eps * far;
     if (range.lower > room || range.upper < -room) {
         return false;
     }
-    double off = 0;
     for (size_t k = 0; k < 3; ++k) {
         const double rounding = 4 * nets.degree(k) * room, wanted = k == i ? 1 : 0;
         Interval slopes = nets.slopes_of(net, k);
@@ -190,11 +185,10 @@ bool FeetChart::set_row(size_t i, FeetNets &nets) {
         if (k == axis_) {
             shifts_[i] = slopes;
         } else {
-            offs_[i][k] = 1.0001 * largest_of({slopes.lower - wanted, slopes.upper - wanted}) + 16 * eps;
-            off += offs_[i][k];
+            coupling_.set_off(
+                i, k, 1.0001 * magnitude_of({slopes.lower - wanted, slopes.upper - wanted}) + 16 * eps);
         }
     }
-    rho_[i] = off;
     return true;
 }
 
@@ -210,37 +204,55 @@ FeetChart::Verdict FeetChart::set(FeetNets &nets) {
     if (!has_rows_) {
         return Verdict::flat;
     }
-    most_rho_ = 0;
+    coupling_.clear();
     most_noise_ = 0;
     for (const size_t i : others_of(axis_)) {
         count_work(static_cast<int64_t>(4 * nets.of(0).size()));
         if (!set_row(i, nets)) {
             return Verdict::apart;
         }
-        most_rho_ = std::max(most_rho_, rho_[i]);
         most_noise_ = std::max(most_noise_, noise_[i]);
     }
     shifts_[axis_] = {-1, -1};
-    rho_[axis_] = 0;
     noise_[axis_] = 0;
-    if (!(most_rho_ <= most_rho) || !(most_noise_ < least_digits)) {
+    if (!(coupling_.norm() <= most_rho) || !coupling_.invert(1 / (1 - most_rho)) ||
+        !(most_noise_ < least_digits)) {
         return Verdict::bent;
     }
     set_rises();
     return Verdict::chart;
 }
 
-// (I - R)^-1 of two rows, of which no entry is negative as rho < 1.
 void FeetChart::set_rises() noexcept {
-    const auto [i, j] = others_of(axis_);
-    const double a = 1 - offs_[i][i], b = offs_[i][j], c = offs_[j][i], d = 1 - offs_[j][j],
-                 by = 1.0001 / (a * d - b * c), x = largest_of(shifts_[i]), y = largest_of(shifts_[j]);
-    const double of_i = by * (d * x + b * y), of_j = by * (c * x + a * y);
-    rises_[axis_] = {1, 1};
-    for (const size_t row : {i, j}) {
-        const double room = 1.0001 * (offs_[row][i] * of_i + offs_[row][j] * of_j);
-        rises_[row] = {-shifts_[row].upper - room, -shifts_[row].lower + room};
+    FeetPlace fastest{};
+    for (const size_t i : others_of(axis_)) {
+        fastest[i] = magnitude_of(shifts_[i]);
     }
+    const FeetPlace room = coupling_.drift(coupling_.reach(fastest));
+    for (size_t i = 0; i < 3; ++i) {
+        rises_[i] = {-shifts_[i].upper - room[i], -shifts_[i].lower + room[i]};
+    }
+}
+
+FeetPlace FeetChart::drift(const FeetPlace &step, double off, double far,
+                           const FeetPlace &farthest) const noexcept {
+    FeetPlace size{};
+    for (const size_t i : others_of(axis_)) {
+        size[i] = std::abs(step[i]) + off * noise_[i] + magnitude_of(shifts_[i]) * far;
+    }
+    FeetPlace reach = coupling_.reach_in_norm(size);
+    for (double &x : reach) {
+        x = std::min(x, largest(farthest));
+    }
+    return coupling_.drift(reach);
+}
+
+FeetPlace FeetChart::off_at(const FeetPlace &step) const noexcept {
+    FeetPlace off = coupling_.drift(coupling_.reach_in_norm(step));
+    for (size_t i = 0; i < 3; ++i) {
+        off[i] = i == axis_ ? 0 : 1.0001 * (off[i] + step[i]);
+    }
+    return off;
 }
 
 FeetPlace FeetChart::step(const std::array<double, 2> &value) const noexcept {
@@ -277,7 +289,7 @@ size_t FeetChart::bent_axis(FeetNets &nets, const FeetPlace &lengths) const {
         }
     } else {
         for (size_t e = 0; e < 2; ++e) {
-            add(nets.of(e), largest_of(FeetNets::range_of(nets.of(e))));
+            add(nets.of(e), magnitude_of(FeetNets::range_of(nets.of(e))));
         }
     }
     for (size_t axis = 0; axis < 3; ++axis) {

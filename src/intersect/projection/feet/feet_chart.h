@@ -2,6 +2,8 @@
 // Parts of a surface and of a curve in which feet are a graph over one of the three parameters.
 #pragma once
 
+#include "base/numbers.h"
+#include "intersect/coupling.h"
 #include "intersect/graph_arc.h"
 #include "intersect/projection/feet/feet_cell.h"
 
@@ -43,8 +45,7 @@ private:
 };
 
 // F(u, v, t), two equations in three unknowns. M is the inverse of the mean derivative without the column k for which the
-// determinant is largest; the rest is as for CrossChart, but for D: with the matrix R of the bounds of I - M F', whose row sums rho_i
-// are, two zeros are no farther apart than (I - R)^-1 max |S| |z_k - z0_k|.
+// determinant is largest; the rest is as for CrossChart.
 class FeetChart {
 public:
     enum class Verdict {
@@ -56,13 +57,17 @@ public:
     Verdict set(FeetNets &nets);
 
     [[nodiscard]] size_t axis() const noexcept { return axis_; } // k
-    [[nodiscard]] double rho(size_t i) const noexcept { return rho_[i]; }
-    [[nodiscard]] double rho() const noexcept { return most_rho_; }
     [[nodiscard]] const Interval &shift(size_t i) const noexcept { return shifts_[i]; }
     [[nodiscard]] const Interval &rise(size_t i) const noexcept { return rises_[i]; }
     [[nodiscard]] double noise(size_t i) const noexcept { return noise_[i]; }
     [[nodiscard]] double noise() const noexcept { return most_noise_; }
     [[nodiscard]] int direction() const noexcept { return direction_; }
+    [[nodiscard]] static bool holds_at(const FeetPlace & /*z*/) noexcept { return true; }
+    [[nodiscard]] static Interval range(size_t /*i*/) noexcept { return {-infinity, infinity}; }
+    [[nodiscard]] FeetPlace drift(const FeetPlace &step, double off, double far,
+                                  const FeetPlace &farthest) const noexcept;
+    // How far places where |M F| is no larger are from zeros with the same coordinate k.
+    [[nodiscard]] FeetPlace off_at(const FeetPlace &step) const noexcept;
     // M F; 0 for k.
     [[nodiscard]] FeetPlace step(const std::array<double, 2> &value) const noexcept;
     // Bounds of |M F|, of those of |F|.
@@ -77,10 +82,10 @@ private:
 
     size_t axis_ = 0;
     std::array<std::array<double, 2>, 3> rows_{};
-    FeetPlace rho_{}, noise_{};
-    std::array<FeetPlace, 3> offs_{}; // |I - M F'|, by columns but k
+    FeetPlace noise_{};
+    Coupling<3> coupling_;
     std::array<Interval, 3> shifts_{}, rises_{};
-    double most_rho_ = infinity, most_noise_ = 0;
+    double most_noise_ = 0;
     int direction_ = 0;
     bool has_rows_ = false;
 };
@@ -111,7 +116,7 @@ struct FeetBox {
     [[nodiscard]] double length(size_t coordinate) const noexcept {
         return cell(coordinate).length(coordinate % 2);
     }
-    [[nodiscard]] FeetPlace middle_step() const noexcept { return step_at({0.5, 0.5, 0.5}); }
+    [[nodiscard]] static FeetPlace start() noexcept { return {0.5, 0.5, 0.5}; }
     [[nodiscard]] FeetPlace step_at(const FeetPlace &z) const noexcept {
         return chart.step(at(z).difference);
     }

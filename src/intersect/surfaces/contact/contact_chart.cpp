@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
+#include "intersect/intervals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,27 +12,6 @@
 namespace nrb::intersect {
 
 namespace {
-
-Interval operator+(const Interval &a, const Interval &b) noexcept {
-    return {a.lower + b.lower, a.upper + b.upper};
-}
-Interval operator-(const Interval &a, const Interval &b) noexcept {
-    return {a.lower - b.upper, a.upper - b.lower};
-}
-Interval operator*(const Interval &a, const Interval &b) noexcept {
-    const auto [least, most] =
-        std::minmax({a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper});
-    return {least, most};
-}
-Interval operator*(double s, const Interval &a) noexcept {
-    return s < 0 ? Interval{s * a.upper, s * a.lower} : Interval{s * a.lower, s * a.upper};
-}
-double magnitude_of(const Interval &x) noexcept {
-    return std::max(std::abs(x.lower), std::abs(x.upper));
-}
-Interval around(double most) noexcept {
-    return {-most, most};
-}
 
 // Of a part over the plane: derivatives along e_0, e_1 of the plane and n, by parameters that are these to first order.
 struct Graph {

@@ -131,15 +131,6 @@ void CrossFitter::stay_in_pieces(CrossSegment &segment) const noexcept {
     }
 }
 
-CrossPlace CrossFitter::off_at(double difference) const noexcept {
-    const CrossChart &chart = arc_->box.chart;
-    CrossPlace off{};
-    for (size_t i = 0; i < 4; ++i) {
-        off[i] = 1.0001 * difference * (chart.norm(i) + chart.rho(i) * chart.norm() / (1 - chart.rho()));
-    }
-    return off;
-}
-
 double CrossFitter::moved_by(const CrossPlace &off, size_t surface) const noexcept {
     return slopes_[2 * surface] * off[2 * surface] + slopes_[2 * surface + 1] * off[2 * surface + 1];
 }
@@ -183,7 +174,7 @@ bool CrossFitter::limit_to_box(const CrossSegment &segment, CrossPlace &off) con
 
 void CrossFitter::set_deviation(CrossSegment &segment) {
     const std::array<double, 2> gaps{largest_gap(segment, 0), largest_gap(segment, 1)};
-    CrossPlace off = off_at(gaps[0] + gaps[1] + arc_->box.chart.near());
+    CrossPlace off = arc_->box.chart.off_at(gaps[0] + gaps[1] + arc_->box.chart.near());
     if (!limit_to_box(segment, off)) {
         segment.deviation = infinity;
         return;
@@ -196,7 +187,7 @@ void CrossFitter::set_deviation(CrossSegment &segment) {
 void CrossFitter::fit_between(const Node &a, const Node &b, int depth, std::vector<CrossSegment> &segments) {
     CrossSegment segment = hermite(a, b);
     set_deviation(segment);
-    const CrossPlace least_off = off_at(arc_->box.chart.near());
+    const CrossPlace least_off = arc_->box.chart.off_at(arc_->box.chart.near());
     const double least = rounding_ + std::max(moved_by(least_off, 0), moved_by(least_off, 1));
     const bool done = segment.deviation <= std::max(tolerance_, 2 * least) || left_ <= 0 || work_ended() ||
                       depth >= (std::isfinite(segment.deviation) ? most_depth : most_depth_without_proof);

@@ -24,7 +24,7 @@ struct CrossSegment {
 // large as at 2 n + 1 Chebyshev points: a trigonometric polynomial of degree n falls from its largest value no faster than the
 // cosine of n times the way (M. Riesz, Jahresber. Dtsch. Math.-Ver. 23 (1914)), and none of these is farther than pi / (4 n)
 // from a point. What both add up to bounds |F| of the places on both, and so, in the chart of the arc, how far these are from
-// the zero with the same coordinate k: coordinate i by |row i of M| |F| + rho_i max |M F| / (1 - rho).
+// the zero with the same coordinate k (CrossChart::off_at()).
 class CrossFitter {
 public:
     // tolerance: in the frame.
@@ -54,8 +54,7 @@ private:
     void stay_in_pieces(CrossSegment &segment) const noexcept;
     void set_deviation(CrossSegment &segment);
     bool limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept;
-    // Of places at which |F| is no larger: how far they are off by coordinates, and the surfaces over them in space.
-    [[nodiscard]] CrossPlace off_at(double difference) const noexcept;
+    // Of places that are off by coordinates: how far the surface over them is in space.
     [[nodiscard]] double moved_by(const CrossPlace &off, size_t surface) const noexcept;
     [[nodiscard]] double largest_gap(const CrossSegment &segment, size_t surface);
     void to_parameters(CrossSegment &segment) const noexcept;
