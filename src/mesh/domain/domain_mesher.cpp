@@ -2,12 +2,14 @@
 #include "mesh/domain/domain_mesher.h"
 
 #include "base/watch.h"
-#include "mesh/cells/cell_shape.h"
+#include "mesh/cells/cell_density.h"
 #include "mesh/cells/cell_triangles.h"
 #include "mesh/extent.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 namespace nrb::mesh {
@@ -34,40 +36,10 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
       proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
     coarsen(cells_.tree().coarsening());
     most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
-    density_ = density_of_cells();
+    if (domain.inside) {
+        density_ = cell_density(cells_.tree(), grid_.scaled(chord_), grid_.scaled(longest_));
+    }
     known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;
-}
-
-// How many it takes for a length, by what the surface bends along each axis in the cells that the border cuts, and all of it is one at least.
-std::array<double, 2> DomainMesher::density_of_cells() const {
-    std::array<double, 2> bends{}, squares{};
-    const CellTree &tree = cells_.tree();
-    for (int32_t i = 0; domain_.inside && i < std::ssize(tree.cells()); ++i) {
-        const Cell &cell = tree.cells()[static_cast<size_t>(i)];
-        if (cell.side != Side::border) {
-            continue;
-        }
-        const CellBend bend = bend_of(tree.box(i));
-        const std::array<double, 2> sides = tree.rectangle(cell).sides(),
-                                    heights{bend.heights.uu.middle, bend.heights.vv.middle};
-        for (size_t k = 0; k < 2; ++k) {
-            const double share = sides[1 - k] / sides[k]; // of the area, for a step of the domain
-            bends[k] += std::abs(heights[k]) * share;
-            squares[k] += bend.speeds[k] * bend.speeds[k] * share;
-        }
-    }
-    double size = 0;
-    for (size_t k = 0; k < 2; ++k) {
-        size = std::max(size, tree.speed(k) * (tree.block_ends(k).back() - tree.block_ends(k).front()));
-    }
-    const double chord = 8 * grid_.scaled(chord_), longest = longest_ > 0 ? grid_.scaled(longest_) : infinity;
-    std::array<double, 2> result{};
-    for (size_t k = 0; k < 2; ++k) {
-        const double curvature = bends[k] / squares[k], least = 1 / (size * size) + 1 / (longest * longest);
-        const double bent = curvature > 0 && curvature < infinity && chord > 0 ? curvature / chord : 0;
-        result[k] = tree.speed(k) * std::sqrt(bent + least);
-    }
-    return result;
 }
 
 // Where the work is not enough for what was asked for.
@@ -84,6 +56,30 @@ bool DomainMesher::run() {
         make_strip();
         sites_.evaluate();
         prove();
+        if (getenv("DBG")) {
+            size_t over = 0, so = 0;
+            double worst = 0;
+            for (size_t i = 0; i < triangles_.size(); ++i)
+                if (triangles_.has(i) && is_large(i)) {
+                    ++over;
+                    so += triangles_[i].cell < 0;
+                    worst = std::max(worst, distances(i).most() / chord_);
+                    if (getenv("DBS") && triangles_[i].cell < 0 && all_rounds_ == atoi(getenv("DBS"))) {
+                        for (int k = 0; k < 3; ++k) {
+                            auto &q = sites_[triangles_[i].sites[k]];
+                            fprintf(stderr, "(%.5f %.5f b%d) ", q.param[0], q.param[1],
+                                    triangles_[i].border[k]);
+                        }
+                        fprintf(stderr, " d %.3f %.3f off %g\n", distances(i).from_shape / chord_,
+                                distances(i).from_mesh / chord_, corners_off(i) / chord_);
+                    }
+                }
+            fprintf(stderr,
+                    "round %d: cells %zu triangles %zu strip %zu over %zu in strip %zu worst %.3f density %g "
+                    "%g\n",
+                    all_rounds_, cells_.tree().cells().size(), triangles_.size(),
+                    triangles_.size() - triangles_.strip(), over, so, worst, density_[0], density_[1]);
+        }
         weak_.clear();
         more = !work_ended() && !(is_off_ && all_rounds_ >= most_rounds_off) && improve();
         ++round_;
