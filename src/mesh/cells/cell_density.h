@@ -8,9 +8,9 @@
 
 namespace nrb::mesh {
 
-// Cells on a step of 1 along each axis, about, of those that are as small as the distance and the longest side want them (0: any), in the units
-// of the grid. In the metric in which both are one length, triangles between the border and cells are best as fat as they can be: on a
-// cylinder long along the straight lines, on a plane as in space.
-std::array<double, 2> cell_density(const CellTree &tree, double chord, double longest);
+// How many cells there are on a step of 1 along each axis, about; as if the domain were no longer than wide. In the metric in which both are
+// one length, triangles between the border and cells are best as fat as they can be: on a cylinder they are long along the
+// straight lines, on a plane as in space. No numbers, or infinite ones, where there are no such cells or these are degenerate.
+std::array<double, 2> cell_density(const CellTree &tree);
 
 } // namespace nrb::mesh

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 
 namespace nrb::mesh {
@@ -37,7 +35,7 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
     coarsen(cells_.tree().coarsening());
     most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
     if (domain.inside) {
-        density_ = cell_density(cells_.tree(), grid_.scaled(chord_), grid_.scaled(longest_));
+        density_ = cell_density(cells_.tree());
     }
     known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;
 }
@@ -56,30 +54,6 @@ bool DomainMesher::run() {
         make_strip();
         sites_.evaluate();
         prove();
-        if (getenv("DBG")) {
-            size_t over = 0, so = 0;
-            double worst = 0;
-            for (size_t i = 0; i < triangles_.size(); ++i)
-                if (triangles_.has(i) && is_large(i)) {
-                    ++over;
-                    so += triangles_[i].cell < 0;
-                    worst = std::max(worst, distances(i).most() / chord_);
-                    if (getenv("DBS") && triangles_[i].cell < 0 && all_rounds_ == atoi(getenv("DBS"))) {
-                        for (int k = 0; k < 3; ++k) {
-                            auto &q = sites_[triangles_[i].sites[k]];
-                            fprintf(stderr, "(%.5f %.5f b%d) ", q.param[0], q.param[1],
-                                    triangles_[i].border[k]);
-                        }
-                        fprintf(stderr, " d %.3f %.3f off %g\n", distances(i).from_shape / chord_,
-                                distances(i).from_mesh / chord_, corners_off(i) / chord_);
-                    }
-                }
-            fprintf(stderr,
-                    "round %d: cells %zu triangles %zu strip %zu over %zu in strip %zu worst %.3f density %g "
-                    "%g\n",
-                    all_rounds_, cells_.tree().cells().size(), triangles_.size(),
-                    triangles_.size() - triangles_.strip(), over, so, worst, density_[0], density_[1]);
-        }
         weak_.clear();
         more = !work_ended() && !(is_off_ && all_rounds_ >= most_rounds_off) && improve();
         ++round_;

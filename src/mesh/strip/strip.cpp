@@ -11,7 +11,7 @@ namespace {
 // However long and narrow a face is, so many places across remain.
 constexpr double narrowest = 0x1p-10;
 // Cells that are no longer than wide by this are taken as squares.
-constexpr double nearly_round = 0.6;
+constexpr double nearly_round = 0.35;
 
 // How long the sides are there.
 std::array<double, 2> grid_lengths(const std::array<double, 2> &lengths) noexcept {
