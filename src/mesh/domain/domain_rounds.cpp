@@ -37,7 +37,7 @@ double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
     return longest;
 }
 
-// Where a triangle of the strip is best divided: at a pole on that side; else on the one over which the surface bends most, if it bends; else
+// Where a triangle of the strip is best divided: at a pole on that side; else on the one inside over which the surface bends most, if it bends; else
 // on the one over which it is longest. Of those that can be.
 DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     Split best, bent;
@@ -61,7 +61,8 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
         if (way.length > best.size) {
             best = own;
         }
-        if (const double sag = std::abs(dot(way.sag, normal)); sag > most && way.length < infinity) {
+        if (const double sag = std::abs(dot(way.sag, normal));
+            sag > most && own.border < 0 && way.length < infinity) {
             most = sag;
             bent = own;
         }
