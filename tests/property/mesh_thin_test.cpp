@@ -73,7 +73,120 @@ int32_t reached(const nurbs_face *face, double chord, int64_t work) {
     return result;
 }
 
+// Around a cylinder or a cone: the line across the straight ones at a share of the height, with so much of a wave, and n holes in
+// its middle.
+struct Around {
+    std::vector<Handle> curves;
+    faces::Face face;
+};
+Handle wave(const faces::Ground &ground, double from, double to, double middle, double height) {
+    constexpr int n = 48;
+    Vec params, places;
+    for (int i = 0; i <= n; ++i) {
+        const double share = static_cast<double>(i) / n, u = from + share * (to - from);
+        const faces::Place at = ground.at(u, middle + height * std::cos(2 * pi * u));
+        params.push_back(share);
+        places.insert(places.end(), at.begin(), at.end());
+    }
+    const int32_t degree = 3;
+    const int64_t count = n + 1;
+    return made([&](nurbs **out) {
+        return nurbs_interpolate(1, &degree, &count, params.data(), 2, places.data(), 0, 0, nullptr, 0,
+                                 nullptr, out);
+    });
+}
+Around around(const faces::Ground &ground, double slant, int holes) {
+    Around result;
+    result.curves.push_back(wave(ground, 0, 1, 0, 0));
+    result.curves.push_back(wave(ground, 1, 0, (slant > 0 ? 0.95 : 1) - slant, slant));
+    for (int i = 0; i < holes; ++i) {
+        const faces::Place centre = ground.at((i + 0.37) / holes, 0.5);
+        const double radii[] = {0.025 * ground.period[0], 0.06 * ground.period[1]};
+        result.curves.push_back(made([&](nurbs **out) {
+            return nurbs_curve_ellipse(2, centre.data(), nullptr, nullptr, radii[0], radii[1], 0, -2 * pi,
+                                       NURBS_ARC_QUARTERS, out);
+        }));
+    }
+    faces::Curves loops;
+    for (const Handle &curve : result.curves) {
+        loops.push_back({curve.get()});
+    }
+    result.face = faces::face_of(ground.surface.get(), loops);
+    return result;
+}
+
+// Triangles of a mesh that has no more vertices than it has to: those of its edges. One loop or two, and holes, of a cylinder.
+double fewest(const Mesh &mesh, int holes) {
+    const std::set<int64_t> border(mesh.edge_points.begin(), mesh.edge_points.end());
+    return static_cast<double>(border.size()) + 2.0 * holes;
+}
+
 } // namespace
+
+// Of a strip along the straight lines, whatever ends it: none of its triangles is across the bend.
+TEST(MeshThin, cylinders_with_holes_and_slanted_ends_take_few_triangles) {
+    const faces::Ground ground = faces::cylinder(1, 3);
+    Random random(12);
+    for (const double chord : {1e-3, 1e-4}) {
+        for (const double slant : {0.0, 0.2}) {
+            for (const int holes : {0, 1, 4}) {
+                SCOPED_TRACE(testing::Message() << chord << ", " << slant << ", " << holes);
+                const Around own = around(ground, slant, holes);
+                const Mesh mesh = mesh_of(own.face.get(), chord);
+                EXPECT_EQ(mesh.reached, 1);
+                EXPECT_LE(static_cast<double>(mesh.triangles.size()), 1.6 * fewest(mesh, holes));
+                expect_whole(mesh);
+                expect_shape_near(ground.surface.get(), own.face.get(), mesh, random, 200);
+                expect_mesh_near(ground.surface.get(), mesh, random, 200);
+            }
+        }
+    }
+}
+
+// What is beside straight lines in the plane of two triangles is over the other one.
+TEST(MeshThin, cones_cut_off_take_as_few_triangles_as_cylinders) {
+    const faces::Ground ground =
+        faces::ground_of(made([](nurbs **out) {
+                             return nurbs_surface_cone(nullptr, nullptr, nullptr, 1, 0.3, 2, 0, 2 * pi,
+                                                       NURBS_ARC_QUARTERS, out);
+                         }),
+                         true, false);
+    Random random(13);
+    for (const double chord : {1e-3, 1e-4}) {
+        SCOPED_TRACE(chord);
+        const Mesh whole = mesh_of(ground.surface.get(), chord);
+        EXPECT_EQ(whole.reached, 1);
+        EXPECT_LE(static_cast<double>(whole.triangles.size()), 1.9 * 2 * pi / std::acos(1 - chord));
+        expect_shape_near(ground.surface.get(), nullptr, whole, random, 200);
+        expect_mesh_near(ground.surface.get(), whole, random, 200);
+        const Around own = around(ground, 0.2, 0);
+        const Mesh mesh = mesh_of(own.face.get(), chord);
+        EXPECT_EQ(mesh.reached, 1);
+        EXPECT_LE(static_cast<double>(mesh.triangles.size()), 1.6 * fewest(mesh, 0));
+        expect_whole(mesh);
+        expect_shape_near(ground.surface.get(), own.face.get(), mesh, random, 200);
+        expect_mesh_near(ground.surface.get(), mesh, random, 200);
+    }
+}
+
+// A diagonal from end to end is no end itself.
+TEST(MeshThin, extruded_curves_take_two_triangles_for_each_segment) {
+    const Vec params{0, 0.2, 0.4, 0.6, 0.8, 1},
+        points{0, 0, 0, 1, 2, 0, 2, -1, 0, 3, 1, 0, 4, 0, 0, 5, 1.5, 0};
+    const int32_t degree = 3;
+    const int64_t count = 6;
+    const Handle curve = made([&](nurbs **out) {
+        return nurbs_interpolate(1, &degree, &count, params.data(), 3, points.data(), 0, 0, nullptr, 0,
+                                 nullptr, out);
+    });
+    const double way[] = {0.3, 0.2, 3};
+    const Handle wall = made([&](nurbs **out) { return nurbs_extrude(curve.get(), way, out); });
+    for (const double chord : {1e-2, 1e-3, 1e-4}) {
+        const Mesh mesh = mesh_of(wall.get(), chord);
+        EXPECT_EQ(mesh.reached, 1);
+        EXPECT_LE(static_cast<double>(mesh.triangles.size()), 9 / std::sqrt(chord)) << chord;
+    }
+}
 
 TEST(MeshThin, uneven_places_are_divided_along_their_axis) {
     for (int32_t degree = 1; degree <= 7; ++degree) {

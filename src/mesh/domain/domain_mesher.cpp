@@ -2,7 +2,7 @@
 #include "mesh/domain/domain_mesher.h"
 
 #include "base/watch.h"
-#include "mesh/cells/cell_shape.h"
+#include "mesh/cells/cell_density.h"
 #include "mesh/cells/cell_triangles.h"
 #include "mesh/extent.h"
 
@@ -34,40 +34,10 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
       proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
     coarsen(cells_.tree().coarsening());
     most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
-    density_ = density_of_cells();
+    if (domain.inside) {
+        density_ = cell_density(cells_.tree());
+    }
     known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;
-}
-
-// How many it takes for a length, by what the surface bends along each axis in the cells that the border cuts, and all of it is one at least.
-std::array<double, 2> DomainMesher::density_of_cells() const {
-    std::array<double, 2> bends{}, squares{};
-    const CellTree &tree = cells_.tree();
-    for (int32_t i = 0; domain_.inside && i < std::ssize(tree.cells()); ++i) {
-        const Cell &cell = tree.cells()[static_cast<size_t>(i)];
-        if (cell.side != Side::border) {
-            continue;
-        }
-        const CellBend bend = bend_of(tree.box(i));
-        const std::array<double, 2> sides = tree.rectangle(cell).sides(),
-                                    heights{bend.heights.uu.middle, bend.heights.vv.middle};
-        for (size_t k = 0; k < 2; ++k) {
-            const double share = sides[1 - k] / sides[k]; // of the area, for a step of the domain
-            bends[k] += std::abs(heights[k]) * share;
-            squares[k] += bend.speeds[k] * bend.speeds[k] * share;
-        }
-    }
-    double size = 0;
-    for (size_t k = 0; k < 2; ++k) {
-        size = std::max(size, tree.speed(k) * (tree.block_ends(k).back() - tree.block_ends(k).front()));
-    }
-    const double chord = 8 * grid_.scaled(chord_), longest = longest_ > 0 ? grid_.scaled(longest_) : infinity;
-    std::array<double, 2> result{};
-    for (size_t k = 0; k < 2; ++k) {
-        const double curvature = bends[k] / squares[k], least = 1 / (size * size) + 1 / (longest * longest);
-        const double bent = curvature > 0 && curvature < infinity && chord > 0 ? curvature / chord : 0;
-        result[k] = tree.speed(k) * std::sqrt(bent + least);
-    }
-    return result;
 }
 
 // Where the work is not enough for what was asked for.

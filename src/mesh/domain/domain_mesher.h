@@ -41,7 +41,6 @@ private:
 
     [[nodiscard]] CellRule cell_rule() const;
     void coarsen(double factor) noexcept;
-    [[nodiscard]] std::array<double, 2> density_of_cells() const;
     [[nodiscard]] Side side_of(const Rectangle &part) const;
     void look_at_cells();
     void make_cells();

@@ -21,8 +21,6 @@ constexpr int most_changes = 12;
 constexpr double least_share = 0x1p-26, least_unknown = 0x1p-12;
 // Rounds after which what is beside triangles of the strip that are divided is divided too, and up to how far.
 constexpr int slow_rounds = 8, most_rings = 64;
-// Of the chord: over sides that bend by less, others than these make up a distance.
-constexpr double share_of_bent = 0.25;
 // Of sizes of triangles that are about as large.
 constexpr double least_size = 0.9, most_size = 1.5;
 
@@ -37,36 +35,22 @@ double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
     return longest;
 }
 
-// Where a triangle of the strip is best divided: at a pole on that side; else on the one over which the surface bends most, if it bends; else
-// on the one over which it is longest. Of those that can be.
+// Where a triangle of the strip is best divided: at a pole on that side, else on the one over which the surface is longest, of those that
+// can be.
 DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
-    Split best, bent;
-    double most = share_of_bent * chord_;
-    const Vector3 &corner = sites_.position(triangle.sites[0]);
-    const Vector3 across =
-        cross(sites_.position(triangle.sites[1]) - corner, sites_.position(triangle.sites[2]) - corner);
-    const double area = length(across);
-    const Vector3 normal = area > 0 ? (1 / area) * across : across;
+    Split best;
     for (size_t k = 0; k < 3; ++k) {
         const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
         const Site &a = sites_[from], &b = sites_[to];
-        if (triangle.fixed[k] && triangle.border[k] < 0 && a.point != b.point) {
-            continue;
-        }
-        const Sites::Way way = a.point == b.point ? Sites::Way{infinity, {}} : sites_.way(from, to);
-        const Split own{way.length,
-                        {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2},
-                        triangle.border[k],
-                        cells_.share(a.param, b.param)};
-        if (way.length > best.size) {
-            best = own;
-        }
-        if (const double sag = std::abs(dot(way.sag, normal)); sag > most && way.length < infinity) {
-            most = sag;
-            bent = own;
+        const bool pole = a.point == b.point;
+        const double size = pole ? infinity : sites_.way(from, to);
+        const bool can = pole || !triangle.fixed[k] || triangle.border[k] >= 0;
+        if (can && size > best.size) {
+            best = {size, {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2}, triangle.border[k]};
+            best.share = cells_.share(a.param, b.param);
         }
     }
-    return bent.size > 0 && best.size < infinity ? bent : best;
+    return best;
 }
 
 // Of the corners; those without a normal do not count.

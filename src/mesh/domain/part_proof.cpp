@@ -53,42 +53,52 @@ void PartProof::gather(std::span<const int32_t> wanted) {
 
 void PartProof::bound() {
     bounds_.resize(triangles_.size());
-    overs_.resize(triangles_.size());
+    offs_.resize(triangles_.size());
     for (size_t i = 0; i < triangles_.size(); ++i) {
         const ProvenTriangle proven = proof_.of(triangle_of_(static_cast<size_t>(triangles_[i])));
         bounds_[i] = proven.bound;
-        overs_[i] = proven.over;
+        offs_[i] = {proven.moved, proven.over};
     }
 }
 
-// Of the triangles around each point: distances are bounds for a mesh on the surface, of which the one that there is, and what it stands
-// for, are so far off, those beside a triangle as well as itself.
-void PartProof::set_overs() {
-    point_overs_.assign(points_.size(), 0);
+void PartProof::Off::add(const Off &other) noexcept {
+    moved = std::max(moved, other.moved);
+    over = std::max(over, other.over);
+}
+
+// Of the triangles around each point: those beside a triangle count as well as itself.
+void PartProof::set_offs() {
+    point_offs_.assign(points_.size(), {});
     for (size_t i = 0; i < triangles_.size(); ++i) {
         for (const int32_t point : meshed_[i].points) {
-            double &over = point_overs_[static_cast<size_t>(point)];
-            over = std::max(over, overs_[i]);
+            point_offs_[static_cast<size_t>(point)].add(offs_[i]);
         }
     }
 }
 
+// Where the face ends before the surface over its triangles, or goes on, counts by itself, or on top of all.
 void PartProof::prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
     gather(wanted);
     bound();
-    set_overs();
+    set_offs();
     std::vector<int32_t> own(wanted.size()); // the first ones here
     std::iota(own.begin(), own.end(), 0);
     MeshBound mesh(points_.size(), meshed_, bounds_, own);
     out.resize(wanted.size());
     for (size_t i = 0; i < wanted.size(); ++i) {
-        double over = 0;
+        Off around;
         for (const int32_t point : meshed_[i].points) {
-            over = std::max(over, point_overs_[static_cast<size_t>(point)]);
+            around.add(point_offs_[static_cast<size_t>(point)]);
         }
-        const Distances all = mesh.distances(i, enough - over);
-        out[i] = {std::min(bounds_[i].from_shape() + overs_[i], all.from_shape + over),
-                  std::min(bounds_[i].from_mesh() + overs_[i], all.from_mesh + over)};
+        const auto off = [](double distance, double edge, const Off &by) {
+            return std::min(std::max(distance, edge) + by.moved, distance + by.over);
+        };
+        const TriangleBound &alone = bounds_[i];
+        const Distances all = mesh.distances(i, enough - around.over);
+        const double about = around.over > around.moved ? mesh.edge_about(i, all.from_mesh) : 0;
+        out[i] = {
+            std::min(off(alone.from_shape(), alone.edge, offs_[i]), off(all.from_shape, alone.edge, around)),
+            std::min(off(alone.from_mesh(), alone.edge, offs_[i]), off(all.from_mesh, about, around))};
     }
 }
 

@@ -26,7 +26,7 @@ private:
     [[nodiscard]] int32_t local_point(int32_t point);
     void gather(std::span<const int32_t> wanted);
     void add_triangle(int32_t triangle);
-    void set_overs();
+    void set_offs();
     void bound();
 
     TriangleProof &proof_;
@@ -38,8 +38,14 @@ private:
     std::vector<int32_t> points_, triangles_; // their numbers in the mesh
     std::vector<MeshTriangle> meshed_;
     std::vector<TriangleBound> bounds_;
-    std::vector<double> overs_;       // of triangles
-    std::vector<double> point_overs_; // the most of those around
+    // How far a mesh on the surface is from the one that there is, and from what that stands for: corners, and these with what is between sides
+    // and curves of the border.
+    struct Off {
+        double moved = 0, over = 0;
+        void add(const Off &other) noexcept;
+    };
+    std::vector<Off> offs_;       // of triangles
+    std::vector<Off> point_offs_; // the most of those around
 };
 
 } // namespace nrb::mesh

@@ -163,7 +163,7 @@ void Sites::evaluate() {
     }
 }
 
-Sites::Way Sites::way(int32_t from, int32_t to) const {
+double Sites::way(int32_t from, int32_t to) const {
     const Site &a = (*this)[from], &b = (*this)[to];
     std::array<double, 2> middle{};
     eval::AxisRules rules{};
@@ -174,8 +174,7 @@ Sites::Way Sites::way(int32_t from, int32_t to) const {
     Vector3 x{0, 0, 0};
     eval::evaluate_points(*domain_.surface, rules, 0, {middle.data(), 1, 2, 2, 1},
                           {&x.x, 1, domain_.surface->dim(), 3, 1});
-    const Vector3 before = x - position(from), after = position(to) - x;
-    return {length(before) + length(after), 0.5 * (before - after)};
+    return length(x - position(from)) + length(position(to) - x);
 }
 
 // In groups of equal sides.

@@ -46,13 +46,8 @@ public:
         const Point &own = points_[static_cast<size_t>(number)];
         return own.border < 0 ? position(own.site) : (*domain_.points)[static_cast<size_t>(own.border)];
     }
-    // From one site to another of a block, by way of the place in the middle: how long the surface is at least, and where that place is, as
-    // seen from the middle of both.
-    struct Way {
-        double length;
-        Vector3 sag;
-    };
-    [[nodiscard]] Way way(int32_t from, int32_t to) const;
+    // How long the surface is from one site to another of a block, at least: by way of the place in the middle.
+    [[nodiscard]] double way(int32_t from, int32_t to) const;
     // Of a site by itself, and its normal.
     [[nodiscard]] const Vector3 &position(int32_t site) const noexcept {
         return positions_[static_cast<size_t>(site)];

@@ -160,7 +160,7 @@ ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
                         bound);
         }
     }
-    return {bound, place.moved};
+    return {bound, place.moved, place.moved};
 }
 
 // Along an axis, what a part that reaches over seams has of each block.
@@ -254,8 +254,7 @@ void TriangleProof::set_edge(const SiteTriangle &triangle, const Placed &placed,
                                 all * (1 + 2 * shares[k]) +
                             bound.flat;
         const double apart = diagonal(high, bound.across[k] + moves[k]) * (1 + 16 * eps);
-        const double least = std::max(bound.sides[k], bound.height) + moves[k];
-        bound.edge = std::max(bound.edge, apart < least ? apart : least);
+        bound.edge = std::max(bound.edge, apart < infinity ? apart : infinity);
     }
 }
 
@@ -274,6 +273,7 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     const PieceRange pieces = nets_.pieces_in(place.part);
     if (pieces.count() > most_pieces) {
         result.bound = over_cells(place, number, triangle, moves);
+        result.over = result.moved + *std::ranges::max_element(moves);
         set_edge(triangle, place, moves, result.bound);
         return result;
     }
@@ -281,10 +281,10 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     moves = inside ? moves_over(triangle, box, place.part) : moves;
     const CellPart here{&box, place.part};
     result.bound = triangle_bound(corners, {&here, 1});
-    const double off = result.over + *std::ranges::max_element(moves);
+    result.over = result.moved + *std::ranges::max_element(moves);
     if (pieces.count() > 1 &&
-        !(std::max(result.bound.from_shape(), result.bound.from_mesh()) + off <= chord_)) {
-        take_better(by_pieces_.bound(corners, pieces, block, chord_ - off), result.bound);
+        !(std::max(result.bound.from_shape(), result.bound.from_mesh()) + result.over <= chord_)) {
+        take_better(by_pieces_.bound(corners, pieces, block, chord_ - result.over), result.bound);
     }
     set_edge(triangle, place, moves, result.bound);
     return result;

@@ -20,7 +20,8 @@ struct SiteTriangle {
 
 struct ProvenTriangle {
     TriangleBound bound;
-    double over = 0; // besides: how far the corners are from the surface
+    double moved = 0; // besides: how far the corners are from the surface
+    double over = 0;  // and what is between sides and curves of the border from that over the sides
 };
 
 class TriangleProof {

@@ -127,11 +127,8 @@ Distances MeshBound::over_side(size_t triangle, size_t side) const noexcept {
     const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
     const double cosine = dot(own.normal, other.normal) - 8 * eps,
                  sine = length(cross(own.normal, other.normal)) + 8 * eps;
-    const double over = other.outs[next.side] * sine;
-    const double covered = std::max(other.height * cosine + over, other.height / cosine);
-    const double beyond =
-        other.edge > 0 ? other.edge + (std::min(other.edge, other.outs[next.side]) + covered) * sine : 0;
-    return {own.height + own.outs[side] * (sine / cosine), std::max(covered, beyond)};
+    return {own.height + own.outs[side] * (sine / cosine),
+            std::max(other.height * cosine + other.outs[next.side] * sine, other.height / cosine)};
 }
 
 Distances MeshBound::over_border(size_t triangle, size_t side) const noexcept {
@@ -150,12 +147,28 @@ Distances MeshBound::by_star(size_t triangle, const Around &around) const noexce
 
 Distances MeshBound::by_sides(size_t triangle) const noexcept {
     const TriangleBound &own = bounds_[triangle];
-    Distances result{std::max(own.height, own.edge), std::max(own.height, own.edge)};
+    Distances result{own.height, own.height};
     for (size_t k = 0; k < 3; ++k) {
         const Distances over =
             triangles_[triangle].border[k] ? over_border(triangle, k) : over_side(triangle, k);
         result.from_shape = std::max(result.from_shape, over.from_shape * more);
         result.from_mesh = std::max(result.from_mesh, over.from_mesh * more);
+    }
+    return result;
+}
+
+double MeshBound::edge_about(size_t triangle, double from_mesh) const noexcept {
+    const TriangleBound &own = bounds_[triangle];
+    double result = own.edge;
+    for (size_t k = 0; k < 3; ++k) {
+        const Neighbour next = triangles_[triangle].border[k] ? Neighbour{} : across(triangle, k);
+        const double edge = next.triangle < 0 ? 0 : bounds_[static_cast<size_t>(next.triangle)].edge;
+        if (edge > 0) {
+            const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
+            const double sine = length(cross(own.normal, other.normal)) + 8 * eps;
+            result =
+                std::max(result, (edge + (std::min(edge, other.outs[next.side]) + from_mesh) * sine) * more);
+        }
     }
     return result;
 }

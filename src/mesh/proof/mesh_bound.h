@@ -52,8 +52,11 @@ public:
     MeshBound(size_t points, std::span<const MeshTriangle> triangles, std::span<const TriangleBound> bounds,
               std::span<const int32_t> wanted);
 
-    // Of a wanted one. What is not more than `enough` is not looked at more closely.
+    // Of a wanted one, for all of the surface over the triangles, wherever the face ends. What is not more than `enough` is not looked at more
+    // closely.
     [[nodiscard]] Distances distances(size_t triangle, double enough) const;
+    // How far places of a wanted triangle may be from the face where it ends before what they are near, of which they are so far.
+    [[nodiscard]] double edge_about(size_t triangle, double from_mesh) const noexcept;
 
 private:
     // The most of the triangles around.

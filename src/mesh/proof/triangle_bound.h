@@ -72,9 +72,9 @@ struct TriangleBound {
 
     // By itself: the distance of every point of the part of the surface from the triangle, and the other way round.
     [[nodiscard]] double from_shape() const noexcept {
-        return std::max(std::min(diagonal(height, out) * (1 + 4 * eps), whole), edge);
+        return std::min(diagonal(height, out) * (1 + 4 * eps), whole);
     }
-    [[nodiscard]] double from_mesh() const noexcept { return std::max({height, beside, edge}); }
+    [[nodiscard]] double from_mesh() const noexcept { return std::max(height, beside); }
 };
 
 // The cells cover the triangle. Corners may be rounded; what that moves comes on top of these bounds. Infinite where weights may not

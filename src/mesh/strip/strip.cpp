@@ -10,8 +10,8 @@ namespace {
 
 // However long and narrow a face is, so many places across remain.
 constexpr double narrowest = 0x1p-10;
-// Cells that are no longer than wide by this are taken as squares.
-constexpr double nearly_round = 0.6;
+// Cells that are wider than this share of their length are taken as squares: what bends along both axes is best as fat in space.
+constexpr double nearly_round = 0.125;
 
 // How long the sides are there.
 std::array<double, 2> grid_lengths(const std::array<double, 2> &lengths) noexcept {

@@ -17,6 +17,7 @@
 namespace delaunay_test {
 
 using nrb::mesh::grid_end;
+using nrb::mesh::GridMetric;
 using nrb::mesh::GridPoint;
 using nrb::mesh::TriangleId;
 using nrb::mesh::Triangulation;

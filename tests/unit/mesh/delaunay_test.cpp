@@ -3,6 +3,7 @@
 #include "base/watch.h"
 #include "delaunay_checks.h"
 
+#include <array>
 #include <cmath>
 
 namespace delaunay_test {
@@ -41,6 +42,59 @@ TEST(Delaunay, random_and_degenerate_points_have_empty_circles) {
                 EXPECT_TRUE(all_circles_empty(t));
             } else {
                 EXPECT_TRUE(doubled_hull_area(points) == 0);
+            }
+        }
+    }
+}
+
+// As power() of delaunay_checks.h has it, with squares in a metric.
+using Wider = boost::multiprecision::int256_t;
+Wider power_in(const GridMetric &metric, const GridPoint &a, const GridPoint &b, const GridPoint &c,
+               const GridPoint &d) {
+    const auto square = [&](const GridPoint &p) {
+        return Wider{metric.uu} * p.u * p.u + Wider{metric.vv} * p.v * p.v;
+    };
+    return square(a) * Wider{doubled_area(b, c, d)} - square(b) * Wider{doubled_area(a, c, d)} +
+           square(c) * Wider{doubled_area(a, b, d)} - square(d) * Wider{doubled_area(a, b, c)};
+}
+
+constexpr std::array<GridMetric, 5> metrics{
+    {{1, 1}, {GridMetric::most, 1}, {1, GridMetric::most}, {GridMetric::most, 12345}, {3, 2}}};
+
+TEST(Delaunay, ellipses_of_a_metric_are_exact) {
+    std::mt19937_64 random(seed);
+    for (const GridMetric &metric : metrics) {
+        for (int i = 0; i < 2000; ++i) {
+            const int32_t size = i % 3 == 0 ? 4 : i % 3 == 1 ? 1000 : grid_end;
+            const auto any = [&] {
+                const auto coordinate = [&] { return static_cast<int32_t>(random() % (uint64_t(size) + 1)); };
+                return GridPoint{coordinate(), coordinate()};
+            };
+            GridPoint a = any(), b = any(), c = any();
+            const GridPoint p = i % 5 == 0 ? GridPoint{b.u, a.v} : any();
+            if (doubled_area(a, b, c) < 0) {
+                std::swap(b, c);
+            }
+            if (doubled_area(a, b, c) != 0) {
+                ASSERT_EQ(in_circle(metric, a, b, c, p), power_in(metric, a, b, c, p) > 0) << i;
+            }
+        }
+    }
+}
+
+TEST(Delaunay, in_a_metric_ellipses_are_empty) {
+    std::mt19937_64 random(seed);
+    for (const GridMetric &metric : metrics) {
+        for (int kind = 0; kind < 4; ++kind) {
+            const Points points = awkward_points(random, 40, kind);
+            const Triangulation t(points, metric);
+            expect_points_found(t, points);
+            for (TriangleId id = 0; id < t.size(); ++id) {
+                for (const GridPoint &p : t.vertices()) {
+                    ASSERT_FALSE(!t.ghost(id) && power_in(metric, corner(t, id, 0), corner(t, id, 1),
+                                                          corner(t, id, 2), p) > 0)
+                        << kind;
+                }
             }
         }
     }
