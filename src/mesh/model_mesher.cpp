@@ -186,21 +186,39 @@ bool ModelMesher::is_kept(const FaceWork &work, size_t triangles) noexcept {
     return parts_.size() > 1 && work.mesher->goes_on() && kept_ + triangles <= most_kept;
 }
 
+// With the triangles that it has, or new ones.
+void ModelMesher::run(FaceWork &work) {
+    bool done = work.mesher && work.mesher->take_border() && work.mesher->run();
+    for (int attempt = 1; !done && attempt <= most_attempts; ++attempt) {
+        if (attempt == most_attempts) {
+            work.domain.change_border = {};
+        }
+        work.mesher.emplace(work.domain, rule_);
+        done = work.mesher->run();
+    }
+}
+
+// Where cells are long, triangles beside a pole may lie on each other.
+bool ModelMesher::is_better_in_space(const FaceWork &work, const DomainMesh &made) noexcept {
+    const auto &[u, v] = work.domain.collapsed;
+    return !work.domain.in_space && !(made.from_shape < infinity) && (u[0] || u[1] || v[0] || v[1]);
+}
+
 void ModelMesher::mesh_face(size_t face, bool last) {
     std::unique_ptr<FaceWork> work = work_for(face);
     if (last) {
         work->domain.change_border = {};
     }
-    bool done = work->mesher && work->mesher->take_border() && work->mesher->run();
-    for (int attempt = 1; !done && attempt <= most_attempts; ++attempt) {
-        if (attempt == most_attempts) {
-            work->domain.change_border = {};
-        }
-        work->mesher.emplace(work->domain, rule_);
-        done = work->mesher->run();
-    }
-    const bool keep = !last && is_kept(*work, work->mesher->triangle_count());
+    run(*work);
+    bool keep = !last && is_kept(*work, work->mesher->triangle_count());
     parts_[face] = work->mesher->output(!keep);
+    if (is_better_in_space(*work, parts_[face])) {
+        work->domain.in_space = true;
+        work->mesher.reset();
+        run(*work);
+        keep = !last && is_kept(*work, work->mesher->triangle_count());
+        parts_[face] = work->mesher->output(!keep);
+    }
     old_[face] = false;
     if (keep) {
         kept_ += parts_[face].triangles.size();

@@ -41,6 +41,8 @@ private:
     void mesh_faces(bool last);
     void judge(size_t face, bool enough) noexcept;
     void mesh_face(size_t face, bool last);
+    void run(FaceWork &work);
+    [[nodiscard]] static bool is_better_in_space(const FaceWork &work, const DomainMesh &made) noexcept;
     [[nodiscard]] std::unique_ptr<FaceWork> work_for(size_t face);
     void drop_work(size_t face);
     [[nodiscard]] bool is_kept(const FaceWork &work, size_t triangles) noexcept;

@@ -30,6 +30,7 @@ struct MeshDomain {
     const std::vector<Vector3> *points = nullptr; // of which those of the border are numbers
     std::array<bool, 2> closed{};
     std::array<std::array<bool, 2>, 2> collapsed{}; // end 0 or 1 of axis k
+    bool in_space = false; // whether triangles at the border are to be as fat as that, not as cells are
     // Whether a place is inside, and whether curves of the border come into a rectangle; empty: all of the domain is.
     std::function<bool(const face::Point2 &)> inside{};
     std::function<bool(const Rectangle &)> cut{};

@@ -34,7 +34,7 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
       proof_(domain, cells_, sites_, grid_.scaled(chord_) * cells_.tree().coarsening()) {
     coarsen(cells_.tree().coarsening());
     most_apart_ = angle_ > 0 ? 2 * std::sin(std::min(angle_, std::numbers::pi) / 2) - 8 * eps : infinity;
-    if (domain.inside) {
+    if (domain.inside && !domain.in_space) {
         density_ = cell_density(cells_.tree());
     }
     known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;

@@ -148,6 +148,12 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
     return result;
 }
 
+// The triangle is that of the surface A / w whose net is moved by the sum of l_i w_i e_i: by e_i in its corners, and between them by no
+// more than that of the largest one times the sum of l_i w_i / w.
+double TriangleProof::moved_between(const Placed &placed, const TriangleBound &bound) noexcept {
+    return placed.moved > 0 ? placed.moved * bound.weighed : 0;
+}
+
 ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
     const Placed place = placed(triangle);
     const Cell &cell = cells_.tree().cells()[static_cast<size_t>(triangle.cell)];
@@ -160,7 +166,8 @@ ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
                         bound);
         }
     }
-    return {bound, place.moved, place.moved};
+    const double moved = moved_between(place, bound);
+    return {bound, moved, moved};
 }
 
 // Along an axis, what a part that reaches over seams has of each block.
@@ -241,7 +248,7 @@ std::array<double, 3> TriangleProof::shares_of_step(const SiteTriangle &triangle
 // affine in them is larger by as much); in the plane it is as far from the side as the image of that and the surface on the step. Both
 // hold likewise for the way from a place of the triangle below to the curve.
 void TriangleProof::set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves,
-                             TriangleBound &bound) const noexcept {
+                             bool one_block, TriangleBound &bound) const noexcept {
     for (size_t k = 0; k < 3; ++k) {
         if (triangle.border[k] < 0) {
             continue;
@@ -253,7 +260,10 @@ void TriangleProof::set_edge(const SiteTriangle &triangle, const Placed &placed,
                              shares[k] * all / 2 * std::max(bound.bends[i], bound.bends[j])) *
                                 all * (1 + 2 * shares[k]) +
                             bound.flat;
-        const double apart = diagonal(high, bound.across[k] + moves[k]) * (1 + 16 * eps);
+        // In other blocks the second derivatives are not known: there a way may lead anywhere.
+        const double up = one_block ? high : high + moves[k];
+        const double apart = diagonal(up, bound.across[k] + moves[k]) * (1 + 16 * eps) +
+                             (all - 1) * moved_between(placed, bound); // of corners, whose shares are larger
         bound.edge = std::max(bound.edge, apart < infinity ? apart : infinity);
     }
 }
@@ -265,7 +275,12 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
         cells_.tree().block_at({(corners[0].param[0] + corners[1].param[0] + corners[2].param[0]) / 3,
                                 (corners[0].param[1] + corners[1].param[1] + corners[2].param[1]) / 3});
     const Rectangle block = cells_.tree().block(number);
-    ProvenTriangle result{{}, leaves(place.part, block) ? infinity : place.moved};
+    ProvenTriangle result;
+    const bool left = leaves(place.part, block);
+    const auto set_over = [&](const Moves &moves) {
+        result.moved = left ? infinity : moved_between(place, result.bound);
+        result.over = result.moved + *std::ranges::max_element(moves);
+    };
     widen(triangle, place.part);
     const bool inside = is_in(place.part, block);
     Moves moves = inside ? Moves{} : moves_in_blocks(triangle, place.part);
@@ -273,20 +288,20 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
     const PieceRange pieces = nets_.pieces_in(place.part);
     if (pieces.count() > most_pieces) {
         result.bound = over_cells(place, number, triangle, moves);
-        result.over = result.moved + *std::ranges::max_element(moves);
-        set_edge(triangle, place, moves, result.bound);
+        set_over(moves);
+        set_edge(triangle, place, moves, inside, result.bound);
         return result;
     }
     const HessianBox box = nets_.box(place.part, pieces);
     moves = inside ? moves_over(triangle, box, place.part) : moves;
     const CellPart here{&box, place.part};
     result.bound = triangle_bound(corners, {&here, 1});
-    result.over = result.moved + *std::ranges::max_element(moves);
+    set_over(moves);
     if (pieces.count() > 1 &&
         !(std::max(result.bound.from_shape(), result.bound.from_mesh()) + result.over <= chord_)) {
         take_better(by_pieces_.bound(corners, pieces, block, chord_ - result.over), result.bound);
     }
-    set_edge(triangle, place, moves, result.bound);
+    set_edge(triangle, place, moves, inside, result.bound);
     return result;
 }
 

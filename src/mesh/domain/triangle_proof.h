@@ -20,7 +20,7 @@ struct SiteTriangle {
 
 struct ProvenTriangle {
     TriangleBound bound;
-    double moved = 0; // besides: how far the corners are from the surface
+    double moved = 0; // besides: by how much the surface is moved so that it has the corners
     double over = 0;  // and what is between sides and curves of the border from that over the sides
 };
 
@@ -59,7 +59,9 @@ private:
     [[nodiscard]] Moves moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part);
     [[nodiscard]] std::array<double, 3> shares_of_step(const SiteTriangle &triangle, const Placed &placed,
                                                        size_t side) const noexcept;
-    void set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves,
+    [[nodiscard]] static double moved_between(const Placed &placed, const TriangleBound &bound) noexcept;
+    // one_block: whether curves of the border stay in that of the triangle.
+    void set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves, bool one_block,
                   TriangleBound &bound) const noexcept;
     void widen(const SiteTriangle &triangle, Rectangle &part) const noexcept;
 

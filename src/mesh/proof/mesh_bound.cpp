@@ -12,6 +12,7 @@ namespace {
 constexpr double most_turned = 0.95, most_turned_by_sides = 0.5;
 // Sines of angles are told of directions of view that are no farther off; and a little is left for rounding.
 constexpr double share_of_sines = 0.99;
+constexpr double share_of_half_right = 0.94; // for what comes out within 45 degrees
 // Of two angles at a corner: with 45 degrees more they are less than all around it, as seen along the normal of the first one.
 constexpr double most_own = 2.35, most_other = 1.83;
 constexpr double more = 1 + 64 * eps;
@@ -112,7 +113,7 @@ bool MeshBound::is_beside(size_t triangle, size_t side, const Neighbour &next) c
         const double most = share_of_sines * cosine * cosine * other.sines[j];
         // Of corner k, side k + 1 comes first and side k + 2 second: the common one in the first triangle, the other one in the second.
         result = result && own.turns[k][2 - end] < most && other.leans[j][2 - end] < most &&
-                 other.turns[j][2 - end] < share_of_sines * cosine &&
+                 other.turns[j][2 - end] < share_of_half_right * cosine &&
                  (own.angles[k] < most_own || other.angles[j] < most_other);
     }
     return result;
@@ -166,8 +167,10 @@ double MeshBound::edge_about(size_t triangle, double from_mesh) const noexcept {
         if (edge > 0) {
             const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
             const double sine = length(cross(own.normal, other.normal)) + 8 * eps;
-            result =
-                std::max(result, (edge + (std::min(edge, other.outs[next.side]) + from_mesh) * sine) * more);
+            result = std::max(
+                result,
+                (edge + (std::min(edge, other.outs[next.side]) + std::max(from_mesh, other.height)) * sine) *
+                    more);
         }
     }
     return result;

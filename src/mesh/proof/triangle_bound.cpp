@@ -48,6 +48,9 @@ public:
     }
 
     [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
+    [[nodiscard]] double weighed() const noexcept {
+        return certain() ? largest_weight_ / least_weight_ * (1 + 4 * eps) : infinity;
+    }
     [[nodiscard]] TriangleBound bound() const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
 
@@ -272,6 +275,7 @@ TriangleBound Triangle::bound() const noexcept {
         const double whole = std::min(equal_parameters(), beside_segment());
         TriangleBound result;
         result.height = result.beside = result.whole = whole;
+        result.weighed = weighed();
         result.sides.fill(whole);
         return result;
     }
@@ -281,6 +285,7 @@ TriangleBound Triangle::bound() const noexcept {
     TriangleBound result;
     result.normal = normal;
     result.flat = flat;
+    result.weighed = weighed();
     result.altitude = area / longest_ * (1 - 16 * eps);
     const double per_weight = 1 / least_weight_;
     result.height = (heights.both() * per_weight + flat) * rounding;

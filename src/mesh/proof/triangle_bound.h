@@ -64,8 +64,9 @@ struct TriangleBound {
     // Likewise the angles within which the images of the sides themselves come inside.
     std::array<std::array<double, 2>, 3> leans = turns;
     std::array<double, 3>
-        sines{};             // of the angles, and 1 of those that are obtuse as seen along such a direction
-    double whole = infinity; // no point of the surface is farther from the triangle
+        sines{};               // of the angles, and 1 of those that are obtuse as seen along such a direction
+    double whole = infinity;   // no point of the surface is farther from the triangle
+    double weighed = infinity; // by so much what corners are moved by may move places between them
     std::array<double, 3> angles{4, 4, 4}; // at the corners
     double altitude = 0;                   // the least one of the triangle
     Vector3 normal{};                      // 0: the triangle has none
