@@ -32,7 +32,7 @@ double cells_of(const face::Face &face, const MeshRule &rule) {
     own.chord = grid.scaled(rule.chord);
     own.longest = grid.scaled(rule.longest);
     own.angle = rule.angle;
-    own.least = grid.scaled(rule.chord < infinity ? rule.chord : 0);
+    own.least = least_for_angles * grid.size();
     own.side = [&face](const Rectangle &part) {
         return face.trims().cuts(part.lower, part.upper) ? Side::border
                : face.trims().side(part.middle()) > 0    ? Side::inside
@@ -80,7 +80,7 @@ public:
         }
         const double chord = expected(chord_) <= most * left() ? chord_ : fitting();
         for (double &face : faces_) {
-            face *= expected(chord) / cells_.count;
+            face *= expected(chord) / std::max(cells_.count, 1.0); // surfaces may have no cells inside
         }
         return {chord, std::move(faces_)};
     }

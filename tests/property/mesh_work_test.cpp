@@ -92,6 +92,19 @@ TEST(MeshWork, faces_are_as_near_as_the_work_allows_whatever_is_asked) {
     }
 }
 
+// Rational surfaces that close, with poles and without.
+TEST(MeshWork, closed_faces_are_as_near_as_the_work_allows) {
+    std::vector<faces::Ground> grounds;
+    grounds.push_back(faces::sphere(1));
+    grounds.push_back(faces::torus(2, 0.5));
+    grounds.push_back(faces::cylinder(1, 2));
+    for (const faces::Ground &ground : grounds) {
+        const faces::Face whole = faces::face_of(ground.surface.get(), {});
+        expect_near_whatever_is_asked(whole.get(), 200'000'000,
+                                      nurbs_mesh_face_with); // some 50,000 triangles
+    }
+}
+
 // The first ones take no more than leaves enough for the last.
 TEST(MeshWork, all_faces_of_a_model_are_as_near_as_the_work_allows) {
     for (int seed = 1; seed <= scaled(1); ++seed) {

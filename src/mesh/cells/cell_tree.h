@@ -13,6 +13,9 @@ namespace nrb::mesh {
 // Where a part of the domain is in relation to what is to be meshed.
 enum class Side { outside, border, inside };
 
+// Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
+inline constexpr double least_for_angles = 1e-5;
+
 struct CellRule {
     double chord = infinity; // in the units of the grid
     double longest = 0;      // diagonal of a cell; 0: no limit

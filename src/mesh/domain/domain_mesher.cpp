@@ -18,8 +18,6 @@ namespace {
 constexpr double share_of_estimate = 0.97;
 // Where edges are farther from the surface than the chord, so that it is not reached.
 constexpr int most_rounds_off = 16;
-// Of the size of all: what is no longer is not divided for an angle, which may be reached nowhere near a place.
-constexpr double least_for_angles = 1e-5;
 
 } // namespace
 
