@@ -164,4 +164,65 @@ TEST(FaceClosest, of_sheets_on_each_other_that_of_the_face_counts) {
     EXPECT_GE(inside, of_whole_run(120));
 }
 
+namespace {
+
+// Control points anywhere in a cube: sheets run through each other, and the distance from a point has many minima.
+Ground crumpled(Random &random) {
+    const int32_t p = random.whole(2, 3), n = random.whole(6, 9);
+    SplineData data{{p, p}, {n, n}, {}, 3, {}, {}, 0};
+    for (int k = 0; k < 2; ++k) {
+        Vec knots;
+        for (int i = 0; i <= n + p; ++i) {
+            knots.push_back(std::clamp(i - p, 0, n - p));
+        }
+        data.knots.push_back(knots);
+    }
+    for (int i = 0; i < 3 * n * n; ++i) {
+        data.points.push_back(random.between(0, 1));
+    }
+    return ground_of(create(data), false, false);
+}
+
+} // namespace
+
+// Of points beside a part that is cut out, near other sheets: certified or not.
+TEST(FaceClosest, of_crumpled_surfaces_no_place_inside_is_nearer_by_much) {
+    int64_t certified = 0, count = 0;
+    for_each_case(3030000, 10, [&](Random &random, uint64_t seed) {
+        const Ground ground = crumpled(random);
+        const Handle outline = polygon({ground.at(0, 0), ground.at(1, 0), ground.at(1, 1), ground.at(0, 1)}),
+                     hole = create(star(random, ground, ground.at(0.5, 0.5), Star{}));
+        const Face face = face_of(ground.surface.get(), {{outline.get()}, {hole.get()}});
+        const std::vector<Vec> inside = points_inside(ground, face.get());
+        for (int i = 0; i < 10; ++i) {
+            const Place at = ground.at(random.between(0.4, 0.6), random.between(0.4, 0.6));
+            Vec point = eval(ground.surface.get(), {at[0], at[1]});
+            for (double &x : point) {
+                x += random.between(-1e-3, 1e-3);
+            }
+            const Answer answer = nearest(face.get(), point, 1e-7);
+            ++count;
+            certified += answer.certified() ? 1 : 0;
+            for (const Vec &other : inside) {
+                ASSERT_LE(answer.distance, distance(other, point.data()) + 2e-7) << seed;
+            }
+        }
+    });
+    std::cout << "certified " << certified << " of " << count << '\n';
+    EXPECT_GE(certified, of_whole_run(count * 9 / 10));
+}
+
+// Points of the axis of a cylinder are as far from all of it: where its minima are is not to be told.
+TEST(FaceClosest, of_points_on_the_axis_of_a_cylinder) {
+    const Ground ground = cylinder(2, 3);
+    for_each_case(3040000, 10, [&](Random &random, uint64_t seed) {
+        const Handle loop = create(star(random, ground, ground.at(0.4, 0.5), Star{}));
+        const Face face = face_of(ground.surface.get(), {{loop.get()}});
+        for (const double off : {0.0, 1e-13, 1e-9}) {
+            const Answer answer = nearest(face.get(), {off, -off, random.between(1.2, 1.8)}, 1e-6);
+            ASSERT_NEAR(answer.distance, 2, 1e-6) << seed;
+        }
+    });
+}
+
 } // namespace face_closest_test

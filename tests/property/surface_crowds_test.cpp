@@ -2,6 +2,8 @@
 // loss to another.
 #include "face_meets.h"
 
+#include <ctime>
+
 namespace surface_crowds_test {
 
 using namespace face_meets;
@@ -164,6 +166,32 @@ TEST(SurfaceCrowds, ACrowdInOnePlace) {
             EXPECT_LE(node.range[k][1], 0.7);
         }
     }
+}
+
+// Pieces of degree 0 have no tangents, so that their parts are only halved: what is left where the work ends are not millions of pairs.
+TEST(SurfaceCrowds, PiecesOfDegree0) {
+    Random random(1);
+    const auto lines = [&](int64_t n, int64_t m, double height) {
+        SplineData data{{0, 1}, {n, m}, {{}, {}}, 3, {}, {}, 0};
+        for (int64_t i = 0; i <= n; ++i) {
+            data.knots[0].push_back(static_cast<double>(i));
+        }
+        for (int64_t j = 0; j < m + 2; ++j) {
+            data.knots[1].push_back(static_cast<double>(std::clamp(j - 1, int64_t{0}, m - 1)));
+        }
+        for (int64_t i = 0; i < n * m; ++i) {
+            const double z = height > 0 ? height * static_cast<double>(i % m) : random.between(0, 1);
+            data.points.insert(data.points.end(), {random.between(0, 1), random.between(0, 1), z});
+        }
+        return data;
+    };
+    const Handle a = create(lines(15, 66, 0)), b = create(lines(15, 2, 1));
+    const std::clock_t begin = std::clock();
+    const Crossing crossing = crossing_of(a.get(), b.get(), 1e-15);
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    EXPECT_FALSE(crossing.found.complete);
+    EXPECT_LE(seconds, 8);
+    std::cout << seconds << " s, " << crossing.found.nodes.size() << " nodes\n";
 }
 
 } // namespace

@@ -87,6 +87,7 @@ void FeetSearch::look_at(FeetGroup &surface, FeetGroup &curve) {
         if (patch == nullptr || span == nullptr) {
             add_unknown(surface, curve);
         } else {
+            count_work(work_of_a_pair);
             pairs_.push_back({patch, span, false});
         }
         return;
@@ -227,6 +228,7 @@ void FeetSearch::add(const Pair &pair) {
 }
 
 void FeetSearch::add_unknown(const FeetGroup &surface, const FeetGroup &curve) {
+    count_work(work_of_a_kept_part);
     CrossCluster &cluster = found_.clusters.emplace_back();
     for (size_t i = 0; i < 4; ++i) {
         const FeetGroup &group = i < 2 ? surface : curve;

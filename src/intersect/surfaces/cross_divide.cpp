@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
+#include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/surfaces/cross_search.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace nrb::intersect {
+
+namespace {
+
+constexpr Interval none{infinity, -infinity};
+constexpr int64_t work_of_a_half = 100; // of a pair, for the memory that it takes
+
+} // namespace
 
 void CrossSearch::divide(const Pair &pair, const Cut &cut) {
     if (!take_parts(pair)) {
@@ -24,6 +33,7 @@ void CrossSearch::halve(const Pair &pair, const Cut &cut) {
                 : CrossCell::Halves{};
         for (CrossCell *half : halves) {
             if (half != nullptr) {
+                count_work(work_of_a_half);
                 next_.push_back({of_a ? half : pair.a, of_a ? pair.b : half, pair.of, pair.graph,
                                  pair.no_contact, pair.no_shear});
             }
@@ -93,8 +103,29 @@ void CrossSearch::add(const Pair &pair) {
     found_.clusters.push_back({ranges_of(*pair.a, *pair.b)});
 }
 
+// What there was no work for: where that is much, as one part of each pair of pieces.
+void CrossSearch::add_left(std::span<const Pair> pairs) {
+    constexpr size_t most = 1 << 16;
+    if (pairs.size() <= most) {
+        std::ranges::for_each(pairs, [this](const Pair &pair) { add(pair); });
+        return;
+    }
+    std::vector<CrossCluster> parts(crowds_.counts_of(pairs).size(), {{none, none, none, none}});
+    for (const Pair &pair : pairs) {
+        const std::array<Interval, 4> ranges = ranges_of(*pair.a, *pair.b);
+        for (size_t i = 0; i < 4; ++i) {
+            Interval &all = parts[pair.of].ranges[i];
+            all = {std::min(all.lower, ranges[i].lower), std::max(all.upper, ranges[i].upper)};
+        }
+    }
+    std::ranges::copy_if(parts, std::back_inserter(found_.clusters), [](const CrossCluster &part) {
+        return part.ranges[0].lower <= part.ranges[0].upper;
+    });
+}
+
 // Of groups of pieces all of the surface.
 void CrossSearch::add_unknown(const PairCell &a, const PairCell &b) {
+    count_work(work_of_a_kept_part);
     CrossCluster &cluster = found_.clusters.emplace_back();
     const auto set = [&](const PairCell &cell, const pieces::PieceGrid &grid, size_t at) {
         for (size_t k = 0; k < 2; ++k) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace nrb::intersect {
@@ -76,10 +77,12 @@ CrossParts CrossSearch::run(double tolerance) {
         if (few_rounds * (before - left) > left) {
             give_up_crowds();
         }
-        for (const Pair &pair : pairs_) {
-            work_ended() ? add(pair) : look(pair);
+        size_t looked = 0;
+        for (; looked < pairs_.size() && !work_ended(); ++looked) {
+            look(pairs_[looked]);
             steps.next(next_.size());
         }
+        add_left(std::span(pairs_).subspan(looked));
         settle_crowds();
         pairs_ = std::exchange(next_, {});
     }
@@ -157,6 +160,7 @@ void CrossSearch::look_at(PairCell &a, PairCell &b) {
         }
     }
     if (is_positive(a) && is_positive(b)) {
+        count_work(work_of_a_pair);
         CrossCell &root_a = a_.root(a), &root_b = b_.root(b);
         pairs_.push_back({&root_a, &root_b, crowds_.add(root_a.piece(), root_b.piece())});
     } else {

@@ -9,6 +9,7 @@
 #include "intersect/surfaces/self/self_pairs.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace nrb::intersect {
@@ -90,6 +91,7 @@ private:
     void settle_crowds();
     void settle_side_by_side();
     void add(const Pair &pair);
+    void add_left(std::span<const Pair> pairs);
     void add_unknown(const PairCell &a, const PairCell &b);
     [[nodiscard]] double thickness(const Pair &pair) const;
 
