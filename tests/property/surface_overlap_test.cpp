@@ -121,6 +121,34 @@ TEST(SurfaceOverlap, PlanePatches) {
     EXPECT_GT(regions, 0);
 }
 
+// A patch in the plane z = 0, of weights that differ by a factor of 10.
+SplineData planar(Random &random, int degree, const Corner &middle, double size) {
+    const double turn = random.between(0, 2 * pi);
+    SplineData data = net_of({degree + 1, degree + 1}, {degree, degree}, true, [&](double u, double v) {
+        const double x = size * (u - 0.5 + random.between(-0.1, 0.1)),
+                     y = size * (v - 0.5 + random.between(-0.1, 0.1));
+        return std::array<double, 4>{middle[0] + x * std::cos(turn) - y * std::sin(turn),
+                                     middle[1] + x * std::sin(turn) + y * std::cos(turn), 0,
+                                     random.between(0.3, 3)};
+    });
+    return data;
+}
+
+// What is proven along one of them only is proven, whichever comes first.
+TEST(SurfaceOverlap, PlanarRationalPatchesInBothOrders) {
+    Random random(33);
+    for (int64_t i = 0; i < scaled(24); ++i) {
+        SCOPED_TRACE(i);
+        const Handle a = create(planar(random, random.whole(1, 3), {0, 0}, 1)),
+                     b = create(planar(random, random.whole(1, 3), {0.3, 0.2}, 0.9));
+        const Overlap overlap = expect_regions(a.get(), b.get(), 1),
+                      exchanged = expect_regions(b.get(), a.get(), 1);
+        EXPECT_EQ(exchanged.crossing.found.branches.size(), overlap.crossing.found.branches.size());
+        EXPECT_NEAR(std::abs(surface_overlaps::area_of(exchanged, true)),
+                    std::abs(surface_overlaps::area_of(overlap)), 1e-9);
+    }
+}
+
 SplineData bumps(bool rational, int n) {
     return net_of({n, n}, {3, 3}, rational, [](double u, double v) {
         return std::array<double, 4>{4 * u, 4 * v, 0.4 * std::sin(5 * u) * std::cos(4 * v),

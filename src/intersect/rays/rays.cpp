@@ -16,12 +16,18 @@
 namespace nrb::intersect {
 
 RayAnswer FirstMeets::answer() const noexcept {
-    if (!hit && !touch) {
+    const auto nothing = [](bool certified) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        return {{none, none}, none, complete ? ray_certified : 0};
+        return RayAnswer{{none, none}, none, certified ? ray_certified : 0};
+    };
+    if (!hit && !touch) {
+        return nothing(complete);
     }
     const bool before = touches_before();
     RayAnswer answer = hit && !(before && touch->t < hit->t) ? *hit : *touch;
+    if (std::isnan(answer.t)) { // from so far away that it is not told where
+        return nothing(false);
+    }
     answer.status |= complete && !before && std::isfinite(answer.t) ? ray_certified : 0;
     return answer;
 }
@@ -74,8 +80,11 @@ public:
         merge();
         bool sure = complete;
         for (const RayMeet &meet : meets_) {
-            out.push_back(answer_of(meet));
-            sure = sure && meet.proven && std::isfinite(out.back().t);
+            const RayAnswer answer = answer_of(meet);
+            sure = sure && meet.proven && std::isfinite(answer.t);
+            if (!std::isnan(answer.t)) {
+                out.push_back(answer);
+            }
         }
         if (room != nullptr) {
             *room = solver_.room() / placed_.factor;

@@ -79,7 +79,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
     const CrossTouch touch(search.ground(0), search.ground(1), in_frame);
     std::optional<Overlaps> overlaps;
     if (regions == Regions::told && is_left_open(cross_groups(on_a, on_b, touch, found.clusters))) {
-        const PartOfWork half;
+        const PartOfWork most(0.75);
         overlaps = find_overlaps(OverlapGround(a, b, search.frame(), search.solver()), tracer, tolerance,
                                  in_frame, found);
         meet.limited = meet.limited || work_ended();

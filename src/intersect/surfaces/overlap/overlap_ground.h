@@ -37,6 +37,7 @@ public:
     }
     [[nodiscard]] Interval domain(size_t surface, size_t axis) const noexcept;
     [[nodiscard]] const ContactSolver &solver() const noexcept { return solver_; }
+    [[nodiscard]] const pieces::Frame &frame() const noexcept { return frame_; }
     // How far apart two places are in space, along the parameter in which they are farthest, as slopes at the first one tell;
     // where surfaces close their periods are left out.
     [[nodiscard]] double apart(const CrossPlace &at, const CrossPlace &other) const;

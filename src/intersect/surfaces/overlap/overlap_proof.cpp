@@ -14,6 +14,7 @@ namespace {
 
 constexpr int most_looks = 40000;           // at parts of the domain, and of pairs
 constexpr int most_looks_at_a_pair = 1024;  // that is left open
+constexpr int64_t work_of_a_ray = 20;       // for each part of an edge
 constexpr double share_of_tolerance = 0.75; // the rest is for what is beyond sides of pieces by rounding
 constexpr double flat = 1.0 / 64;           // of the domain: one side of the box of a part of an edge
 constexpr PlaceBox whole{Interval{0, 1}, Interval{0, 1}};
@@ -204,7 +205,7 @@ OverlapProof::State OverlapProof::look_along(const Part &part, const std::array<
 OverlapProof::State OverlapProof::look(const Part &part) {
     const std::optional<std::array<double, 2>> edge = edge_in(part);
     const std::array<double, 2> middle = parameters(part, 0.5, 0.5);
-    count_work(100 * std::ssize(edge_parts_));
+    count_work(edge ? 0 : work_of_a_ray * std::ssize(edge_parts_));
     if (!edge && !regions_.hold(ground_, middle)) {
         return State::done;
     }

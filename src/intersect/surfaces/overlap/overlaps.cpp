@@ -4,7 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "intersect/surfaces/curves/segment_seams.h"
-#include "intersect/surfaces/overlap/overlap_proof.h"
+#include "intersect/surfaces/overlap/overlap_proofs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -226,14 +226,11 @@ std::optional<Overlaps> find_overlaps(const OverlapGround &ground, const Contact
         }
         result.places.push_back(*inside);
     }
-    OverlapProof proof(ground, result.edges, result.regions, near);
-    if (!proof.prove()) {
+    OverlapProofs proofs(ground, result.edges, result.regions, near);
+    if (!proofs.prove()) {
         return std::nullopt;
     }
-    std::erase_if(found.clusters, [&](const CrossCluster &cluster) { return proof.covers(cluster.ranges); });
-    std::erase_if(found.contacts,
-                  [&](const CrossContact &contact) { return proof.is_along(contact.ranges); });
-    std::erase_if(found.arcs, [&](const CrossArc &arc) { return proof.is_along(ranges_of(arc.box)); });
+    proofs.take_out_of(found);
     return result;
 }
 
