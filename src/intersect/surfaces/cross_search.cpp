@@ -189,8 +189,9 @@ void CrossSearch::look(Pair pair) {
     if (are_apart(*pair.a, *pair.b) || (self_ && is_of_one_surface(pair))) {
         return;
     }
-    if (!pair.a->prepare() || !pair.b->prepare()) {
-        halve(pair, {!pair.a->prepare(), std::nullopt});
+    const bool ready = pair.a->prepare();
+    if (!pair.b->prepare() || !ready) { // the larger one: else ever more parts would be near all of it
+        halve(pair, {pair.a->size() >= pair.b->size(), std::nullopt});
         return;
     }
     switch (set_chart(pair)) {
