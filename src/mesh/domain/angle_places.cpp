@@ -23,12 +23,19 @@ double angle_at(const Vector3 &x, const Vector3 &a, const Vector3 &b) noexcept {
 
 } // namespace
 
+// Opposite of the shortest side.
 double AngleRefinement::least_angle(const std::array<int32_t, 3> &s) const noexcept {
-    double least = 4;
+    const std::array<Vector3, 3> x{at(s[0]), at(s[1]), at(s[2])};
+    size_t best = 0;
+    double shortest = infinity;
     for (size_t k = 0; k < 3; ++k) {
-        least = std::min(least, angle_at(at(s[k]), at(s[(k + 1) % 3]), at(s[(k + 2) % 3])));
+        const Vector3 side = x[(k + 1) % 3] - x[(k + 2) % 3];
+        if (const double square = dot(side, side); square < shortest) {
+            shortest = square;
+            best = k;
+        }
     }
-    return least;
+    return angle_at(x[best], x[(best + 1) % 3], x[(best + 2) % 3]);
 }
 
 // Twice that in the domain; 0 if it is not certain, as rounded parameters have it, or next to nothing.
