@@ -17,7 +17,7 @@ namespace {
 constexpr size_t width = 4; // x w, y w, z w, w
 // In parts of the length of derivatives: what bends less is halved where it is longer.
 constexpr double little_bend = 0x1p-9;
-constexpr int64_t work_of_halves = 500; // for their memory
+constexpr int64_t work_of_halves = 200; // for their memory
 
 double dot3(const Vector3 &a, const double *b) noexcept {
     return a.x * b[0] + a.y * b[1] + a.z * b[2];
@@ -366,7 +366,7 @@ CrossCell::Halves CrossCell::halves(std::deque<CrossCell> &all, std::optional<si
         return halves;
     }
     const AxisLayers layers = layers_along(axis, piece_->degrees);
-    count_work(work_of_halves + piece_->degrees[axis] * std::ssize(records_));
+    count_work(work_of_halves);
     std::pmr::vector<double> upper(records_, records_.get_allocator()),
         lower(records_.size(), records_.get_allocator());
     subdivide(layers, place_of_halves, upper.data(), lower.data());

@@ -13,7 +13,7 @@ namespace nrb::intersect {
 
 constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
 // Of pairs of pieces that are to be looked at: where there are more than the work is enough for, groups of them are left open.
-constexpr int64_t work_of_a_pair = 2000;
+constexpr int64_t work_of_a_pair = 1000;
 
 // Its pieces in a tree of boxes, and those that were asked for in parts.
 struct CrossSide {
