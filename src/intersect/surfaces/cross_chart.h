@@ -75,7 +75,7 @@ public:
 private:
     bool set_rows(const CrossCell &a, const CrossCell &b);
     bool set_row(size_t i, const CrossCell &a, const CrossCell &b);
-    void set_lean(const CrossShear &shear, size_t first);
+    void set_lean(const CrossShear &shear, size_t base);
     void couple(const CrossShear &shear);
     void set_norms() noexcept;
     [[nodiscard]] bool has_narrow_rises() const noexcept;

@@ -295,7 +295,7 @@ bool CrossSearch::are_in_one_place(const Pair &pair) const noexcept {
 }
 
 // How far both reach on either side of a plane; less than 0: they are apart along its normal.
-double CrossSearch::thickness(const Pair &pair) const {
+double CrossSearch::thickness(const Pair &pair) {
     const Vector3 of_a = cross(pair.a->slope(0), pair.a->slope(1)),
                   of_b = cross(pair.b->slope(0), pair.b->slope(1));
     double least = infinity;

@@ -93,7 +93,7 @@ private:
     void add(const Pair &pair);
     void add_left(std::span<const Pair> pairs);
     void add_unknown(const PairCell &a, const PairCell &b);
-    [[nodiscard]] double thickness(const Pair &pair) const;
+    [[nodiscard]] static double thickness(const Pair &pair);
 
     pieces::Frame frame_;
     CrossSide a_, b_;

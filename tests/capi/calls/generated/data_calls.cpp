@@ -819,7 +819,7 @@ const Call group[] = {
      [](const Inputs &in, Output &o) -> nurbs_status {
          const nurbs *const curves[] = {in.outline};
          return nurbs_region_create(1, curves, 1, 0, &o.model);
-     }},
+     }, true},
     {"region_combine",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_moved_outline(in, make_moved_outline);
@@ -833,7 +833,7 @@ const Call group[] = {
          const nurbs_face *const a[] = {in.face};
          const nurbs_face *const b[] = {made_moved_face};
          return nurbs_region_combine(3, 1, a, 1, b, 0, &o.model);
-     }},
+     }, true},
     {"face_split",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_divider(in, make_divider);
@@ -842,7 +842,7 @@ const Call group[] = {
          }
          const nurbs *const curves[] = {made_divider};
          return nurbs_face_split(in.face, 1, curves, 0, &o.model);
-     }},
+     }, true},
     {"face_trim",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_cutter(in, make_cutter);
@@ -850,7 +850,7 @@ const Call group[] = {
              return made_cutter.status();
          }
          return nurbs_face_trim(in.face, made_cutter, 1, 1e-06, &o.model);
-     }},
+     }, true},
     {"model_edge_gaps",
      [](const Inputs &in, Output &o) -> nurbs_status {
          return nurbs_model_edge_gaps(in.model, 8, o.spans, o.values, o.states, o.spans + 8);
@@ -1037,12 +1037,12 @@ const Call group[] = {
          }
          static constexpr double direction[] = {1, 0.2, 0.1};
          return nurbs_surface_project_curve(made_wall, in.twist, direction, 0.01, &o.meet);
-     }},
+     }, true},
     {"face_project_curve",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double direction[] = {0, 0, 1};
          return nurbs_face_project_curve(in.face, in.twist, direction, 0.1, &o.meet);
-     }},
+     }, true},
     {"model_sections",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
@@ -1700,7 +1700,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_region_create_with(1, curves, 1, 0, &call, &o.model);
-     }},
+     }, true},
     {"region_combine_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_moved_outline(in, make_moved_outline);
@@ -1716,7 +1716,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_region_combine_with(3, 1, a, 1, b, 0, &call, &o.model);
-     }},
+     }, true},
     {"face_split_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_divider(in, make_divider);
@@ -1727,7 +1727,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_split_with(in.face, 1, curves, 0, &call, &o.model);
-     }},
+     }, true},
     {"face_trim_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_cutter(in, make_cutter);
@@ -1737,7 +1737,7 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_trim_with(in.face, made_cutter, 1, 1e-06, &call, &o.model);
-     }},
+     }, true},
     {"model_write_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          nurbs_call_options call;
@@ -1928,14 +1928,14 @@ const Call group[] = {
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_surface_project_curve_with(made_wall, in.twist, direction, 0.01, &call, &o.meet);
-     }},
+     }, true},
     {"face_project_curve_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          static constexpr double direction[] = {0, 0, 1};
          nurbs_call_options call;
          (void)nurbs_call_options_init(&call, sizeof call);
          return nurbs_face_project_curve_with(in.face, in.twist, direction, 0.1, &call, &o.meet);
-     }},
+     }, true},
     {"model_sections_with",
      [](const Inputs &in, Output &o) -> nurbs_status {
          Made made_sphere(in, make_sphere);
