@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// The memory that surfaces take to meet is bounded by the work that they may do: where they are all but one, or cross in hundreds
-// of curves that touch.
+// The memory that surfaces take to meet is bounded by the work that they may do: where they are all but one, cross in hundreds of
+// curves that touch, or have no tangents.
 #include "check.h"
 #include "counted_memory.h"
 
@@ -32,6 +32,27 @@ nurbs *graph(int64_t n, Height &&height) {
     }
     const int32_t degrees[] = {3, 3};
     const int64_t counts[] = {n, n};
+    nurbs *g = nullptr;
+    CHECK_INT(nurbs_create(2, degrees, counts, knots.data(), static_cast<int64_t>(knots.size()), 3,
+                           points.data(), 0, 0, nullptr, 0, 0, &g),
+              NURBS_OK);
+    return g;
+}
+
+// n polylines of m corners in space.
+nurbs *polylines(int64_t n, int64_t m) {
+    std::vector<double> knots, points;
+    for (int64_t i = 0; i <= n; ++i) {
+        knots.push_back(static_cast<double>(i));
+    }
+    for (int64_t j = -1; j <= m; ++j) {
+        knots.push_back(static_cast<double>(std::clamp<int64_t>(j, 0, m - 1)));
+    }
+    for (int64_t i = 0; i < 3 * n * m; ++i) {
+        points.push_back(std::sin(1e4 * static_cast<double>(i * i % 997)));
+    }
+    const int32_t degrees[] = {0, 1};
+    const int64_t counts[] = {n, m};
     nurbs *g = nullptr;
     CHECK_INT(nurbs_create(2, degrees, counts, knots.data(), static_cast<int64_t>(knots.size()), 3,
                            points.data(), 0, 0, nullptr, 0, 0, &g),
@@ -92,5 +113,6 @@ int main() {
     check({"near each other", graph(40, rough), beside(1e-6), 0});
     check({"waves across waves", graph(60, [](double u, double) { return 0.1 * std::sin(20 * pi * u); }),
            graph(60, [](double, double v) { return 0.1 * std::sin(20 * pi * v); }), 1});
+    check({"the same polylines", polylines(15, 66), polylines(15, 66), 0});
     return check_summary("meet_memory");
 }

@@ -11,7 +11,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr Interval none{infinity, -infinity};
-constexpr int64_t work_of_a_half = 16; // of a pair, for the memory that it takes
+constexpr int64_t work_of_a_half = 48; // of a pair, for the memory that it takes
 
 } // namespace
 
