@@ -118,7 +118,7 @@ bool OverlapProofs::prove() {
     return is_proven(!exchanged_first_);
 }
 
-void OverlapProofs::take_out_of(CrossParts &found, OverlapProof &proof, bool exchange) const {
+void OverlapProofs::take_out_of(CrossParts &found, OverlapProof &proof, bool exchange) {
     const auto of_proof = [exchange](const std::array<Interval, 4> &ranges) {
         return exchange ? exchanged(ranges) : ranges;
     };

@@ -26,7 +26,7 @@ private:
     struct Exchanged;
     [[nodiscard]] bool is_proven(bool exchange);
     bool prove_exchanged();
-    void take_out_of(CrossParts &found, OverlapProof &proof, bool exchange) const;
+    static void take_out_of(CrossParts &found, OverlapProof &proof, bool exchange);
 
     const OverlapGround &ground_;
     const OverlapEdges &edges_;
