@@ -18,6 +18,8 @@ namespace {
 
 constexpr int64_t work_of_a_point = 300000; // a net may touch in each of its pieces
 
+constexpr double share_of_overlaps = 0.75; // of the work: the rest is for curves
+
 std::array<int, 2> degrees_of(const Spline &surface) noexcept {
     return {surface.axis(0).degree(), surface.axis(1).degree()};
 }
@@ -79,7 +81,7 @@ Meet surface_intersections(const Spline &a, const Spline &b, double tolerance, R
     const CrossTouch touch(search.ground(0), search.ground(1), in_frame);
     std::optional<Overlaps> overlaps;
     if (regions == Regions::told && is_left_open(cross_groups(on_a, on_b, touch, found.clusters))) {
-        const PartOfWork most(0.75);
+        const PartOfWork most(share_of_overlaps);
         overlaps = find_overlaps(OverlapGround(a, b, search.frame(), search.solver()), tracer, tolerance,
                                  in_frame, found);
         meet.limited = meet.limited || work_ended();

@@ -238,12 +238,7 @@ ContactCurve ContactTracer::trace(const ContactPoint &start) {
     const End backward = follow(start, -1, places, segments);
     curve.ends = forward == End::border && backward == End::border;
     std::ranges::reverse(places);
-    std::ranges::reverse(segments);
-    for (CrossSegment &segment : segments) {
-        std::ranges::reverse(segment.space);
-        std::ranges::reverse(segment.on[0]);
-        std::ranges::reverse(segment.on[1]);
-    }
+    reverse(segments);
     curve.places.insert(curve.places.begin(), places.begin(), places.end());
     curve.segments.insert(curve.segments.begin(), segments.begin(), segments.end());
     return curve;

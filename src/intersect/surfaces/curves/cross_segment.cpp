@@ -232,4 +232,13 @@ void CrossFitter::to_parameters(CrossSegment &segment) const noexcept {
     }
 }
 
+void reverse(std::vector<CrossSegment> &segments) noexcept {
+    std::ranges::reverse(segments);
+    for (CrossSegment &segment : segments) {
+        std::ranges::reverse(segment.space);
+        std::ranges::reverse(segment.on[0]);
+        std::ranges::reverse(segment.on[1]);
+    }
+}
+
 } // namespace nrb::intersect

@@ -19,6 +19,9 @@ struct CrossSegment {
     std::array<double, 4> slopes{}; // the largest ones around, by parameters
 };
 
+// So that the curve of all of them runs the other way.
+void reverse(std::vector<CrossSegment> &segments) noexcept;
+
 // With points, and tangents of length 1 in space, at both ends (Hermite). The differences of the curve in space from each
 // surface over its curve there, times weights, are polynomials of the parameter. Of degree n they are at most sqrt 2 times as
 // large as at 2 n + 1 Chebyshev points: a trigonometric polynomial of degree n falls from its largest value no faster than the

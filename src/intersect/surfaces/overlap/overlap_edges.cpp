@@ -312,12 +312,7 @@ private:
         }
         edge.segments = std::move(*segments);
         if (!kept.forward) {
-            std::ranges::reverse(edge.segments);
-            for (CrossSegment &segment : edge.segments) {
-                std::ranges::reverse(segment.space);
-                std::ranges::reverse(segment.on[0]);
-                std::ranges::reverse(segment.on[1]);
-            }
+            reverse(edge.segments);
         }
         return true;
     }

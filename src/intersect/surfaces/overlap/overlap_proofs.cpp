@@ -31,16 +31,6 @@ std::optional<bool> are_alike(const OverlapGround &ground, const CrossPlace &at)
     return cosine == 0 ? std::nullopt : std::optional(cosine > 0);
 }
 
-void reverse(OverlapEdge &edge) {
-    std::swap(edge.nodes[0], edge.nodes[1]);
-    std::ranges::reverse(edge.segments);
-    for (CrossSegment &segment : edge.segments) {
-        std::ranges::reverse(segment.space);
-        std::ranges::reverse(segment.on[0]);
-        std::ranges::reverse(segment.on[1]);
-    }
-}
-
 // With regions on the left in the domain of the second surface, which is the first one then.
 std::optional<OverlapEdges> exchanged(const OverlapGround &ground, OverlapEdges edges) {
     std::ranges::for_each(edges.nodes, [](CrossPlace &node) { node = exchanged(node); });
@@ -51,7 +41,8 @@ std::optional<OverlapEdges> exchanged(const OverlapGround &ground, OverlapEdges 
             return std::nullopt;
         }
         if (!*alike) {
-            reverse(edge);
+            std::swap(edge.nodes[0], edge.nodes[1]);
+            reverse(edge.segments);
         }
         edge.middle = exchanged(edge.middle);
         for (CrossSegment &segment : edge.segments) {
