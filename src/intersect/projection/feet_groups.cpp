@@ -136,7 +136,7 @@ FeetCell *FeetGroups::cell(FeetGroup &group) {
     return group.cell;
 }
 
-bool have_no_feet(const FeetGroup &surface, const FeetGroup &curve) noexcept {
+bool have_no_feet(const FeetGroup &surface, const FeetGroup &curve) {
     count_work(60);
     for (const RangesInSpace &tangents : surface.tangents) {
         Interval sum{0, 0};

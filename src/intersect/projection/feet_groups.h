@@ -55,6 +55,6 @@ private:
 };
 
 // Whether F_0 or F_1 is nowhere 0 for points and tangents in these boxes.
-bool have_no_feet(const FeetGroup &surface, const FeetGroup &curve) noexcept;
+bool have_no_feet(const FeetGroup &surface, const FeetGroup &curve);
 
 } // namespace nrb::intersect

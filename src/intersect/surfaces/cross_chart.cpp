@@ -230,7 +230,7 @@ void CrossChart::add_offs(size_t i, size_t surface, const CrossCell &cell,
 }
 
 bool CrossChart::goes_on(const CrossCell &a, const CrossCell &b, std::span<const CrossCell::Beyond> beyond_a,
-                         std::span<const CrossCell::Beyond> beyond_b) const noexcept {
+                         std::span<const CrossCell::Beyond> beyond_b) const {
     constexpr double most = 0.9;
     if (sheared_) {
         return false;

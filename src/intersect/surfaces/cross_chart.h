@@ -57,7 +57,7 @@ public:
     // Whether the same M makes a chart with what is beyond sides of both parts, too.
     [[nodiscard]] bool goes_on(const CrossCell &a, const CrossCell &b,
                                std::span<const CrossCell::Beyond> beyond_a,
-                               std::span<const CrossCell::Beyond> beyond_b) const noexcept;
+                               std::span<const CrossCell::Beyond> beyond_b) const;
     // Whether M exists.
     [[nodiscard]] bool has_rows() const noexcept { return has_rows_; }
     // If so: whether the first part bends more than the second one.

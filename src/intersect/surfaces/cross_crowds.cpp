@@ -17,7 +17,7 @@ Vector3 point_of(const CrossCell &part, const std::array<double, 2> &place) noex
 
 // From its foot on the surface of a part, near that; infinite if that is not within some places in the part.
 double distance_to(const CrossCell &part, const Vector3 &from,
-                   const std::array<Interval, 2> &within) noexcept {
+                   const std::array<Interval, 2> &within) {
     constexpr int most_steps = 4;
     std::array<double, 2> at{0.5, 0.5};
     for (int i = 0;; ++i) {
@@ -49,12 +49,12 @@ std::array<Interval, 2> piece_around(const CrossCell &part) noexcept {
 
 } // namespace
 
-double distance_of_middle(const CrossCell &part, const CrossCell &other) noexcept {
+double distance_of_middle(const CrossCell &part, const CrossCell &other) {
     constexpr Interval wide{-widening, 1 + widening};
     return distance_to(other, point_of(part, {0.5, 0.5}), {wide, wide});
 }
 
-bool lies_on(const CrossCell &part, const CrossCell &other, double tolerance) noexcept {
+bool lies_on(const CrossCell &part, const CrossCell &other, double tolerance) {
     constexpr std::array<std::array<double, 2>, 3> around{{{-1.1, 0.4}, {1.9, -0.8}, {0.7, 2.2}}};
     return std::ranges::all_of(around, [&](const std::array<double, 2> &at) {
         std::array<double, 2> place{};

@@ -12,11 +12,11 @@
 namespace nrb::intersect {
 
 // How far the middle of the first part is from the second one, near its foot there; infinite if that is not in the wide part.
-double distance_of_middle(const CrossCell &part, const CrossCell &other) noexcept;
+double distance_of_middle(const CrossCell &part, const CrossCell &other);
 
 // Whether what is around the first part, several times as wide, lies on the surface of the second one, as far as a few places
 // tell that are in line with nothing. Where surfaces touch in a point, or cross in one, parts that are all but one are small.
-bool lies_on(const CrossCell &part, const CrossCell &other, double tolerance) noexcept;
+bool lies_on(const CrossCell &part, const CrossCell &other, double tolerance);
 
 // Pairs of parts that are near each other all over, counted by the pairs of pieces that they are of, in rounds of parts of one
 // size. Where these are many it is told which pairs of pieces are crowded: those of which a part lies on the other surface, their

@@ -29,7 +29,7 @@ bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) n
 }
 
 // Of parts in one plane: whether a line along one of the directions of either is between them.
-bool are_side_by_side(const CrossCell &a, const CrossCell &b) noexcept {
+bool are_side_by_side(const CrossCell &a, const CrossCell &b) {
     const double room = 4 * (a.error() + b.error());
     count_work(200);
     for (const CrossCell *cell : {&a, &b}) {

@@ -88,7 +88,7 @@ bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
 }
 
 // Whether a plane across the way from one to the other, where they come nearest, is between them.
-bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const noexcept {
+bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const {
     const double size = length(between_);
     if (!(size > 0)) {
         return false;

@@ -89,7 +89,7 @@ private:
     void set_leans() noexcept;
     bool set_start(const CrossCell &x, const CrossCell &y);
     bool move_foot(const Pair &step) noexcept;
-    [[nodiscard]] bool are_beside(const CrossCell &x, const CrossCell &y) const noexcept;
+    [[nodiscard]] bool are_beside(const CrossCell &x, const CrossCell &y) const;
     [[nodiscard]] bool is_along(double tolerance) const noexcept;
     void set_bends(size_t d, const CrossCell &x, const CrossCell &y);
     [[nodiscard]] bool is_useful() const noexcept;
