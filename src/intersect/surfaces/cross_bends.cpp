@@ -63,6 +63,10 @@ struct CrossCell::Seconds {
     std::array<double, 2> largest_slopes;
 };
 
+void CrossCell::DeleteSeconds::operator()(const Seconds *seconds) const noexcept {
+    delete seconds;
+}
+
 CrossCell::~CrossCell() = default;
 CrossCell::CrossCell(CrossCell &&) noexcept = default;
 
@@ -109,7 +113,7 @@ const CrossCell::Seconds &CrossCell::seconds() const {
         result->nets[d] = std::move(second.records);
     }
     result->turns = {first[0].weights(room_of_weight), first[1].weights(room_of_weight)};
-    seconds_ = std::move(result);
+    seconds_.reset(result.release());
     return *seconds_;
 }
 

@@ -185,6 +185,9 @@ private:
     [[nodiscard]] std::array<Interval, 3> seconds_from(const Vector3 &vector,
                                                        const CrossExtents &extents) const;
     struct Seconds;
+    struct DeleteSeconds {
+        void operator()(const Seconds *seconds) const noexcept;
+    };
     [[nodiscard]] const Seconds &seconds() const; // made when they are first asked for
 
     const CrossPiece *piece_;
@@ -205,7 +208,7 @@ private:
     std::array<Vector3, 2> slope_;
     std::array<Halves, 2> halves_{}; // by axes
     std::optional<size_t> usual_axis_;
-    mutable std::unique_ptr<const Seconds> seconds_;
+    mutable std::unique_ptr<const Seconds, DeleteSeconds> seconds_;
 };
 
 // Whether their boxes are.

@@ -119,7 +119,7 @@ private:
     Pair most_aside_{};
     double free_ = 0, grows_ = 0; // grows_: how fast sigma does with N . G
     double height_ = 0;
-    size_t across_ = 0; // the axis of X along which n . C changes more
+    size_t across_ = 0; // the axis of X along which n . G changes more
     // Where along it zeros are, in up to two parts.
     size_t parts_ = 0;
     Ranges places_{};

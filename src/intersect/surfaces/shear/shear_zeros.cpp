@@ -58,12 +58,12 @@ Interval CrossShear::height_beside(size_t j, const Away &away) const noexcept {
             middle + both.upper - least_of(-h, -bends.both[2 * k].upper, away.x[k]) + room};
 }
 
-// Along the axis along which n . C changes more: where both bounds of n . G, which are polynomials of degree 2, leave 0 between them.
+// Along the axis along which n . G changes more: where both bounds of n . G, which are polynomials of degree 2, leave 0 between them.
 void CrossShear::set_zeros(const Away &away) noexcept {
     const Bends &bends = bends_[2];
     const auto change = [&](size_t j) {
-        const double far = magnitude_of(away.x[j]);
-        return magnitude_of(bends.both[2 * j]) * far * far;
+        const double far = magnitude_of(away.x[j]), h = std::abs(dot(vectors_[2], slopes_of_x_[j]));
+        return (h + magnitude_of(bends.both[2 * j]) * far) * far;
     };
     across_ = change(1) > change(0) ? 1 : 0;
     const Interval beside = height_beside(across_, away), &bend = bends.both[2 * across_],
@@ -112,8 +112,8 @@ void CrossShear::set_ranges(const Away &away) noexcept {
 
 // Whether both come apart, for certain or on both sides of a place.
 bool CrossShear::come_apart() const noexcept {
-    const Interval &slope = slopes_[2][across_];
-    return parts_ == 2 || slope.lower > 0 || slope.upper < 0;
+    return parts_ == 2 ||
+           std::ranges::any_of(slopes_[2], [](const Interval &x) { return x.lower > 0 || x.upper < 0; });
 }
 
 // What bends of one of both leave open is the larger part of how n . C changes, or what axes of X make of it.
