@@ -266,7 +266,7 @@ Parting parting(Random &random, double factor) {
 TEST(SurfacePairsSizes, SmallAnglesChangeNoCount) {
     constexpr std::array<double, 3> up{0, 0, 1};
     constexpr double level = 0;
-    Random random(0x5d07);
+    Random random(2); // whose case 5 has curves that turn where planes of tangents are nearly one
     const int64_t cases = scaled(15);
     int64_t told = 0, of_all = 0, ways = 0;
     for (int64_t i = 0; i < cases; ++i) {

@@ -1,5 +1,6 @@
 // Euler's relation of the arrangement that meets with other surfaces make in the domain of a surface: as many parts as it says,
 // and so on each of the surfaces.
+#include "curve_meets.h"
 #include "regions.h"
 #include "surface_pairs.h"
 
@@ -52,6 +53,9 @@ public:
         std::iota(of_.begin(), of_.end(), size_t{0});
         add_crossings(cut);
         for (size_t i = 0; i < cut.meets.size(); ++i) {
+            add_own_crossings(cut.meets[i].found, first_[i]);
+        }
+        for (size_t i = 0; i < cut.meets.size(); ++i) {
             for (size_t k = 0; k < cut.meets[i].found.branches.size(); ++k) {
                 add_branch(cut.meets[i].found, first_[i] + k, cut.meets[i].found.branches[k], ground);
             }
@@ -81,6 +85,27 @@ private:
                     join(x, y);
                 }
             }
+        }
+    }
+    // Where the other surface meets itself, so do its branches.
+    void add_own_crossings(const Found &found, size_t first) {
+        const double tolerance = 1e-9;
+        for (size_t i = 0; i < found.branches.size(); ++i) {
+            const nurbs *const own = found.branches[i].on.get();
+            cross(first + i, first + i, curve_meets::own_meets(own, tolerance));
+            for (size_t j = 0; j < i; ++j) {
+                cross(first + i, first + j, curve_meets::meets(own, found.branches[j].on.get(), tolerance));
+            }
+        }
+    }
+    void cross(size_t x, size_t y, const curve_meets::Hits &hits) {
+        EXPECT_EQ(hits.complete, 1);
+        const int64_t crossings = hits.count(NURBS_HIT_CROSSING);
+        own_[x] += crossings;
+        own_[y] += crossings;
+        excess_ += crossings;
+        if (crossings > 0) {
+            join(x, y);
         }
     }
     void add_branch(const Found &found, size_t index, const Branch &branch, const Ground &ground) {
@@ -168,7 +193,7 @@ void check_model(const nurbs *surface, const nurbs_model *parts) {
     double area = 0, whole = 0;
     for (const Face &face : support::regions::faces_of(parts)) {
         sum += 2 - borders_of(face.get());
-        area += support::faces::area_of(face.get(), 1e-4);
+        area += support::faces::area_of(face.get(), 1e-5);
     }
     EXPECT_EQ(sum, 1);
     require_ok(nurbs_surface_area(surface, nullptr, 1e-6, &whole, nullptr));

@@ -12,12 +12,13 @@ namespace nrb::face {
 namespace {
 
 // The difference of two rules is what the lower one lacks. The higher one lacks about its square, which is trusted as far as
-// QUADPACK trusts it (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber, D. Kahaner, 1983).
+// QUADPACK trusts it (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber, D. Kahaner, 1983): where the difference is not small both
+// rules may be about equally wrong, and more than it says.
 double likely_error(double difference, double magnitude) noexcept {
     if (!(magnitude > 0)) {
         return difference;
     }
-    return std::min(difference, magnitude * std::pow(200 * difference / magnitude, 1.5));
+    return magnitude * std::min(1.0, std::pow(200 * difference / magnitude, 1.5));
 }
 
 // The weight of a place in the rule of a level, which higher rules may have more places than.

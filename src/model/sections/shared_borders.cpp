@@ -87,9 +87,9 @@ void SharedBorders::turn_faces(const Model &model) {
     for (const auto &[one, other] : pairs_) {
         const SharedCoedge &a = coedge(one), &b = coedge(other);
         if (model.faces[static_cast<size_t>(a.face)].solid < 0) {
-            const bool turn = runs_against(a) == runs_against(b);
-            beside[static_cast<size_t>(a.face)].emplace_back(b.face, turn);
-            beside[static_cast<size_t>(b.face)].emplace_back(a.face, turn);
+            const bool turned = runs_against(a) == runs_against(b);
+            beside[static_cast<size_t>(a.face)].emplace_back(b.face, turned);
+            beside[static_cast<size_t>(b.face)].emplace_back(a.face, turned);
         }
     }
     turned_.assign(model.faces.size(), false);
@@ -103,11 +103,11 @@ void SharedBorders::turn_faces(const Model &model) {
         while (!waiting.empty()) {
             const size_t face = waiting.back();
             waiting.pop_back();
-            for (const auto &[neighbour, turn] : beside[face]) {
+            for (const auto &[neighbour, turned] : beside[face]) {
                 const auto next = static_cast<size_t>(neighbour);
                 if (!seen[next]) {
                     seen[next] = true;
-                    turned_[next] = turned_[face] != turn;
+                    turned_[next] = turned_[face] != turned;
                     waiting.push_back(next);
                 }
             }
