@@ -208,7 +208,7 @@ void CrossSearch::look(Pair pair) {
 
 // Where planes of tangents are nearly one, a sheared one if no other is there.
 CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
-    constexpr double nearly = 0.9, far = 8; // in tolerances
+    constexpr double nearly = 0.9;
     box_.a = pair.a;
     box_.b = pair.b;
     cut_.reset();
@@ -224,7 +224,7 @@ CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
     case CrossShear::Verdict::apart:
         return CrossChart::Verdict::apart;
     case CrossShear::Verdict::bounded:
-        if (!shear_.come_apart() && shear_.height() <= far * tolerance_) {
+        if (!shear_.come_apart() && shear_.height() <= tolerance_) {
             return verdict;
         }
         break;

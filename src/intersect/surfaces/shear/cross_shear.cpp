@@ -117,11 +117,13 @@ bool CrossShear::move_foot(const Pair &step) noexcept {
     return true;
 }
 
-// As far as the start and the planes of tangents there tell: one surface rather than two.
+// As far as the start and the planes of tangents there tell: one surface rather than two. What crosses at a small angle is within the
+// tolerance long before its parts are flat, but comes apart by a good part of it.
 bool CrossShear::is_along(double tolerance) const noexcept {
+    constexpr double hardly = 0x1p-4; // in tolerances
     return std::abs(dot(vectors_[2], between_)) + std::abs(dot(vectors_[2], slopes_of_x_[0])) +
                std::abs(dot(vectors_[2], slopes_of_x_[1])) <=
-           tolerance;
+           hardly * tolerance;
 }
 
 CrossShear::Verdict CrossShear::set(const CrossCell &x, const CrossCell &y, double tolerance) {
