@@ -179,8 +179,13 @@ private:
                 z[i] = i == k ? z[k] : std::clamp(z[i] - step[i] + along, -widening, most_place);
             }
             z[k] = next;
-            const bool found = box_->solve(k, z);
-            if (!chart.holds_at(z)) {
+            const At guess = z;
+            bool found = box_->solve(k, z);
+            if (!chart.holds_at(z)) { // a zero that is none of both parts, or none
+                z = guess;
+                found = false;
+            }
+            if (!found && !chart.holds_at(z)) {
                 return GraphVerdict::open;
             }
             step = box_->step_at(z);
