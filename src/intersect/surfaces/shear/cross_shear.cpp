@@ -57,9 +57,9 @@ void CrossShear::set_leans() noexcept {
                       Pair{-leans_[1][0] / determinant, leans_[0][0] / determinant}};
 }
 
-// The middle of X and its foot on Y, or what is nearest to these in both parts, by a few steps of Newton's method. False: both are not
-// over each other.
-bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
+// The middle of X and its foot on Y, or what is nearest to these in both parts, or so far beside them, by a few steps of Newton's method.
+// False: both are not over each other.
+bool CrossShear::set_start(const CrossCell &x, const CrossCell &y, double beside) {
     constexpr int most_steps = 4;
     constexpr double far = 4, near = 0x1p-16, nearly = 0x1p-5;
     starts_ = {Pair{0.5, 0.5}, Pair{0.5, 0.5}};
@@ -78,7 +78,7 @@ bool CrossShear::set_start(const CrossCell &x, const CrossCell &y) {
             const bool is_above = std::abs(dot(vectors_[2], between_)) >= length(between_) / 2;
             return size <= near || (size <= nearly && is_above);
         }
-        if (move_foot(step)) {
+        if (move_foot(step, beside)) {
             of_x = x.piece().evaluate(x.in_piece(starts_[0].data()));
             slopes_of_x_ = slopes_of(x, of_x);
         }
@@ -99,20 +99,20 @@ bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const {
 }
 
 // What would be beyond Y is made up for in X. Whether that moves.
-bool CrossShear::move_foot(const Pair &step) noexcept {
+bool CrossShear::move_foot(const Pair &step, double beside) noexcept {
     auto &[at, foot] = starts_;
     Pair beyond{};
     for (size_t i = 0; i < 2; ++i) {
         const double next = foot[i] + step[i];
-        foot[i] = std::clamp(next, 0.0, 1.0);
+        foot[i] = std::clamp(next, -beside, 1 + beside);
         beyond[i] = next - foot[i];
     }
     if (beyond == Pair{0, 0} || !has_inverse_) {
         return false;
     }
     for (size_t j = 0; j < 2; ++j) {
-        at[j] =
-            std::clamp(at[j] - inverse_leans_[j][0] * beyond[0] - inverse_leans_[j][1] * beyond[1], 0.0, 1.0);
+        at[j] = std::clamp(at[j] - inverse_leans_[j][0] * beyond[0] - inverse_leans_[j][1] * beyond[1],
+                           -beside, 1 + beside);
     }
     return true;
 }
@@ -128,8 +128,14 @@ bool CrossShear::is_along(double tolerance) const noexcept {
 
 CrossShear::Verdict CrossShear::set(const CrossCell &x, const CrossCell &y, double tolerance) {
     count_work(600);
-    if (!set_start(x, y)) {
-        return are_beside(x, y) ? Verdict::apart : Verdict::open;
+    if (!set_start(x, y, 0)) {
+        if (are_beside(x, y)) {
+            return Verdict::apart;
+        }
+        // What is beside each other may have sides that are bent: it is told apart by a place over both.
+        if (!set_start(x, y, widening)) {
+            return Verdict::open;
+        }
     }
     if (is_along(tolerance)) {
         return Verdict::open;

@@ -87,8 +87,8 @@ private:
 
     bool set_vectors(const Vector3 &along_0, const Vector3 &along_1) noexcept;
     void set_leans() noexcept;
-    bool set_start(const CrossCell &x, const CrossCell &y);
-    bool move_foot(const Pair &step) noexcept;
+    bool set_start(const CrossCell &x, const CrossCell &y, double beside);
+    bool move_foot(const Pair &step, double beside) noexcept;
     [[nodiscard]] bool are_beside(const CrossCell &x, const CrossCell &y) const;
     [[nodiscard]] bool is_along(double tolerance) const noexcept;
     void set_bends(size_t d, const CrossCell &x, const CrossCell &y);
