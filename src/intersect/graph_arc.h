@@ -182,11 +182,11 @@ private:
             const At guess = z;
             bool found = box_->solve(k, z);
             if (!chart.holds_at(z)) { // a zero that is none of both parts, or none
-                z = guess;
                 found = false;
-            }
-            if (!found && !chart.holds_at(z)) {
-                return GraphVerdict::open;
+                z = guess;
+                if (!chart.holds_at(z)) {
+                    return GraphVerdict::open;
+                }
             }
             step = box_->step_at(z);
             if (found) {

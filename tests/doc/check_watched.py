@@ -1,6 +1,6 @@
 """What counts work may end the call with an exception: neither it nor what calls it is noexcept.
 
-usage: check_watched.py src
+usage: check_watched.py FOLDER...
 
 Functions are told apart by their names alone: one of those that count is one of which every definition does.
 """
@@ -17,6 +17,7 @@ DEFINITION = re.compile(
     r"([~\w]+)\s*(\([^;{}]*?\))\s*((?:const|noexcept|override|final|&|\s)*)"
     r"(?::[^;{}]*(?:\{[^{}]*\}[^;{}]*)*?)?(?:->[^;{]*)?\{"
 )
+STEP = re.compile(r"\bsteps_?\.next\(")  # Steps::next()
 CALL = re.compile(r"([~\w]+)\s*(?:<[^<>;(){}]*>)?\(")
 
 
@@ -44,6 +45,7 @@ def definitions(path):
             continue
         body = text[match.start(3) : end_of_body(text, match.end() - 1)]
         calls = {call for call in CALL.findall(body) if call not in WORDS}
+        calls |= {"count_work"} if STEP.search(body) else set()
         yield name, "noexcept" in after, calls, text.count("\n", 0, match.start()) + 1
 
 
@@ -63,8 +65,8 @@ def names_that_count(found):
 
 
 def main():
-    src = Path(sys.argv[1])
-    files = sorted(path for path in src.rglob("*") if path.suffix in (".h", ".cpp"))
+    folders = [Path(folder) for folder in sys.argv[1:]]
+    files = sorted(path for folder in folders for path in folder.rglob("*") if path.suffix in (".h", ".cpp"))
     found = {path: list(definitions(path)) for path in files}
     counts = names_that_count([definition for own in found.values() for definition in own])
     messages = [

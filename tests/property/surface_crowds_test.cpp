@@ -1,6 +1,9 @@
 // Surfaces that touch, or cross where they touch, in hundreds of places: each is told, and what is left open in one place is no
 // loss to another.
 #include "face_meets.h"
+#include "support/generators.h"
+
+#include <algorithm>
 
 namespace surface_crowds_test {
 

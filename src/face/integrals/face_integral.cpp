@@ -21,6 +21,8 @@ constexpr int64_t work_of_a_node = 300;
 constexpr int64_t least_work = 1500000000;
 constexpr int64_t rules_for_a_panel = 24;
 constexpr int most_panel_halvings = 40;
+// Rules of a few nodes over all of a panel may agree by chance; many small parts do not.
+constexpr double caution_with_whole_panels = 10;
 
 struct PanelPart {
     Panel panel;
@@ -67,7 +69,8 @@ private:
     }
     // Coordinates are at most about 1, so that the first value is what all of them are relative to.
     void evaluate(PanelPart &part) {
-        part.sums = rules_[part.rule].evaluate(part.panel, part.levels);
+        part.sums = rules_[part.rule].evaluate(part.panel, part.levels,
+                                               part.halvings == 0 ? caution_with_whole_panels : 1);
         const int64_t work = (int64_t{4} << part.levels[0]) * (int64_t{4} << part.levels[1]) * work_of_a_node;
         count_work(work);
         left_ -= work;

@@ -11,14 +11,13 @@ namespace nrb::face {
 
 namespace {
 
-// The difference of two rules is what the lower one lacks. The higher one lacks about its square, which is trusted as far as
-// QUADPACK trusts it (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber, D. Kahaner, 1983): where the difference is not small both
-// rules may be about equally wrong, and more than it says.
-double likely_error(double difference, double magnitude) noexcept {
+// The difference of two rules is what the lower one lacks, as far as both are not equally wrong. The higher one lacks about its square,
+// which is trusted as far as QUADPACK trusts it (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber, D. Kahaner, 1983).
+double likely_error(double difference, double magnitude, double caution) noexcept {
     if (!(magnitude > 0)) {
         return difference;
     }
-    return magnitude * std::min(1.0, std::pow(200 * difference / magnitude, 1.5));
+    return std::min(caution * difference, magnitude * std::pow(200 * difference / magnitude, 1.5));
 }
 
 // The weight of a place in the rule of a level, which higher rules may have more places than.
@@ -85,7 +84,7 @@ void PanelRule::visit_nodes() {
     }
 }
 
-PanelRule::Sums PanelRule::evaluate(const Panel &panel, const std::array<int, 2> &levels) {
+PanelRule::Sums PanelRule::evaluate(const Panel &panel, const std::array<int, 2> &levels, double caution) {
     fill_nodes(panel, levels);
     visit_nodes();
     Sums sums;
@@ -108,7 +107,7 @@ PanelRule::Sums PanelRule::evaluate(const Panel &panel, const std::array<int, 2>
     for (size_t j = 0; j < values_; ++j) {
         sums.values[j] *= panel.factor;
         for (std::vector<double> &errors : sums.errors) {
-            errors[j] = std::abs(panel.factor) * likely_error(std::abs(errors[j]), magnitudes[j]);
+            errors[j] = std::abs(panel.factor) * likely_error(std::abs(errors[j]), magnitudes[j], caution);
         }
     }
     sums.magnitude = std::abs(panel.factor) * magnitudes[0];

@@ -17,14 +17,15 @@ public:
     PanelRule(const Spline &surface, const TrimMap &trims, const pieces::Frame &frame,
               const measure::Integrand &integrand);
 
-    // The integrals by the rules of two levels >= 1 along x and y, and how far those of one level less along either are away.
+    // The integrals by the rules of two levels >= 1 along x and y, and how far those of one level less along either are away; caution >= 1:
+    // how much farther away than these the integrals may be themselves.
     struct Sums {
         std::vector<double> values;                // times the factor of the panel
         std::array<std::vector<double>, 2> errors; // what a higher rule is likely to change
         double magnitude = 0;                      // of the first value
         double spread = 0; // the same if derivatives were at right angles; they are off by a few eps of it
     };
-    Sums evaluate(const Panel &panel, const std::array<int, 2> &levels);
+    Sums evaluate(const Panel &panel, const std::array<int, 2> &levels, double caution);
 
 private:
     void fill_nodes(const Panel &panel, const std::array<int, 2> &levels);

@@ -152,7 +152,7 @@ void CloudFeet::measure_given(const Spline &spline, const Cloud &cloud) {
     set_squares(cloud);
 }
 
-double distance_noise(const Spline &spline, const Cloud &cloud) noexcept {
+double distance_noise(const Spline &spline, const Cloud &cloud) {
     double farthest = 0;
     for (int64_t i = 0; i < cloud.size(); ++i) {
         farthest = std::max(farthest, norm(cloud.point(i), cloud.dim));
@@ -161,7 +161,7 @@ double distance_noise(const Spline &spline, const Cloud &cloud) noexcept {
     return relative_noise(spline) * (size + farthest);
 }
 
-double given_noise(const Spline &spline, const Cloud &cloud) noexcept {
+double given_noise(const Spline &spline, const Cloud &cloud) {
     const double factor = relative_noise(spline) * (1 + std::sqrt(cloud.dim));
     const double of_origin =
         norm_of(cloud.dim, [&](int c) { return factor * cloud.origin[static_cast<size_t>(c)]; });

@@ -38,8 +38,8 @@ private:
 // How far a distance may be from the true one that is proven: twice what rounding adds to a proof of closest/, which holds
 // for the place that was found, once more for its parameter; in units of the cloud, and with what coordinates of the caller
 // add, in those of the caller.
-double distance_noise(const Spline &spline, const Cloud &cloud) noexcept;
-double given_noise(const Spline &spline, const Cloud &cloud) noexcept;
+double distance_noise(const Spline &spline, const Cloud &cloud);
+double given_noise(const Spline &spline, const Cloud &cloud);
 
 // Adds the models of all squared distances.
 void add_models(const Spline &spline, const Cloud &cloud, const CloudFeet &feet, CloudEquations &equations);

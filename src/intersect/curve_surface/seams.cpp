@@ -52,7 +52,7 @@ Seams::Rows Seams::line(int axis, double t, bool left) const {
     return rows;
 }
 
-bool Seams::are_one_line(const Rows &x, const Rows &y) const noexcept {
+bool Seams::are_one_line(const Rows &x, const Rows &y) const {
     const double size = eval::active_size(surface_);
     return std::equal(x.begin(), x.end(), y.begin(), [size](const auto &a, const auto &b) {
         return are_one_point(a.data(), b.data(), 3, size);

@@ -41,7 +41,7 @@ private:
     using Rows = std::vector<std::array<double, 3>>;
     // Points of the surface along a line of parameters, as many as determine it.
     [[nodiscard]] Rows line(int axis, double t, bool left) const;
-    [[nodiscard]] bool are_one_line(const Rows &x, const Rows &y) const noexcept;
+    [[nodiscard]] bool are_one_line(const Rows &x, const Rows &y) const;
     [[nodiscard]] bool ends_at(size_t k, bool upper) const;
     void set_jumps(int axis);
 

@@ -16,8 +16,7 @@ Vector3 point_of(const CrossCell &part, const std::array<double, 2> &place) noex
 }
 
 // From its foot on the surface of a part, near that; infinite if that is not within some places in the part.
-double distance_to(const CrossCell &part, const Vector3 &from,
-                   const std::array<Interval, 2> &within) {
+double distance_to(const CrossCell &part, const Vector3 &from, const std::array<Interval, 2> &within) {
     constexpr int most_steps = 4;
     std::array<double, 2> at{0.5, 0.5};
     for (int i = 0;; ++i) {
@@ -76,7 +75,7 @@ CrossCrowds::Number CrossCrowds::add(const CrossPiece &a, const CrossPiece &b) {
     return static_cast<Number>(pairs_.size() - 1);
 }
 
-void CrossCrowds::count(Number pair, bool along) noexcept {
+void CrossCrowds::count(Number pair, bool along) {
     PiecePair &own = pairs_[pair];
     if (own.near++ == 0) {
         counted_.push_back(pair);

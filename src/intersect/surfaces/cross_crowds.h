@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool is_crowded(Number pair) const noexcept { return pairs_[pair].crowded; }
 
     // along: whether one lies on the other one, as far as its middle tells.
-    void count(Number pair, bool along) noexcept;
+    void count(Number pair, bool along);
     [[nodiscard]] bool are_many() const noexcept { return near_ > most_near || along_ > most_along; }
     // If they are: for some of those that are along each other, whether lies_on().
     [[nodiscard]] bool is_asked_for(Number pair) const noexcept {

@@ -26,7 +26,8 @@ public:
         open,    // the parts are too large
         useless, // as in all smaller parts: the surfaces do not bend alike along any axis of X
     };
-    // Precondition: both are prepared. What is along each other within the tolerance is left open at once.
+    // Precondition: both are prepared. What is along each other within a sixteenth of the tolerance is
+    // left open at once.
     Verdict set(const CrossCell &x, const CrossCell &y, double tolerance);
 
     [[nodiscard]] const std::array<double, 2> &start_x() const noexcept { return starts_[0]; }
