@@ -114,7 +114,7 @@ Point2 Covering::canonical(Point2 x) const noexcept {
     return x;
 }
 
-Covering Covering::begun_at(const Point2 &lower) const noexcept {
+Covering Covering::begun_at(const Point2 &lower) const {
     Covering result = *this;
     for (size_t k = 0; k < 2; ++k) {
         if (closed_[k]) {

@@ -38,7 +38,7 @@ public:
     // The copy of a place on closed axes in [lower, upper) of the domain; as it is if it lies there already.
     [[nodiscard]] Point2 canonical(Point2 x) const noexcept;
     // The same plane covered by copies of a domain that begins at another place on closed axes.
-    [[nodiscard]] Covering begun_at(const Point2 &lower) const noexcept;
+    [[nodiscard]] Covering begun_at(const Point2 &lower) const;
     // The copy of a place nearest to another one.
     [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
     // Calls visit(move) for the moves by periods of closed axes, none of them among these, that bring a box of the plane into

@@ -294,7 +294,7 @@ private:
         }
     }
     // Whether all of a chain is in a part where branches are not told apart, or is but little of what is left open.
-    [[nodiscard]] bool is_in_group(const std::vector<size_t> &arcs) const noexcept {
+    [[nodiscard]] bool is_in_group(const std::vector<size_t> &arcs) const {
         constexpr double little = 0x1p-8; // of pieces
         double length = 0;
         for (const size_t arc : arcs) {

@@ -58,8 +58,8 @@ void CellTree::leave_to_border(const std::vector<int32_t> &cells) noexcept {
 }
 
 void CellTree::clear() noexcept {
-    cells_ = {};
-    nodes_ = {};
+    std::vector<Cell>().swap(cells_); // {} would keep the memory
+    std::vector<Node>().swap(nodes_);
     boxes_.reset();
 }
 

@@ -132,7 +132,7 @@ DomainMesh DomainMesher::output(bool last) {
     DomainMesh result;
     const bool good = judge(result);
     if (last) { // what follows takes as much memory
-        states_ = {};
+        std::vector<CellState>().swap(states_);
         cells_.clear();
     }
     finish(good, result);
