@@ -115,7 +115,8 @@ private:
     // Of the present pair.
     std::optional<Cut> cut_;
     CrossShear::Parts parts_;
-    bool first_is_x_ = true; // of the shear
+    bool is_little_left_ = false; // by these, of what touches nowhere: so many are no crowd
+    bool first_is_x_ = true;      // of the shear
     std::optional<SelfPairs> self_;
     CrossBox box_{};
     CrossParts found_;

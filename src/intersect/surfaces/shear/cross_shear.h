@@ -52,8 +52,10 @@ public:
     [[nodiscard]] const Interval &range_of_x(size_t j) const noexcept { return ranges_of_x_[j]; }
     [[nodiscard]] const Interval &range_of_y(size_t m) const noexcept { return ranges_of_y_[m]; }
 
-    // Whether there may be no place in which they touch.
-    [[nodiscard]] bool come_apart() const noexcept;
+    // Whether n . C is not 0 along one of the axes: they touch nowhere.
+    [[nodiscard]] bool touch_nowhere() const noexcept;
+    // Or they come apart on both sides of where they may.
+    [[nodiscard]] bool come_apart() const noexcept { return parts_ == 2 || touch_nowhere(); }
     // How far apart both may be along n at most where n . C along one of the axes is as at the start.
     [[nodiscard]] double height() const noexcept { return height_; }
     // What to halve, where that is not enough: X or Y, of X along which axis.
@@ -65,6 +67,7 @@ public:
     // Or what is left of both, with some room, if that is far less than all: places in X, one or two, and in Y.
     struct Parts {
         size_t count = 0;
+        double left = 1; // share of all
         std::array<std::array<Interval, 2>, 2> of_x{};
         std::array<Interval, 2> of_y{};
     };

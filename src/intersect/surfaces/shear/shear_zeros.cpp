@@ -110,10 +110,8 @@ void CrossShear::set_ranges(const Away &away) noexcept {
     ranges_of_x_[across_] = {places_[0].lower, places_[parts_ - 1].upper};
 }
 
-// Whether both come apart, for certain or on both sides of a place.
-bool CrossShear::come_apart() const noexcept {
-    return parts_ == 2 ||
-           std::ranges::any_of(slopes_[2], [](const Interval &x) { return x.lower > 0 || x.upper < 0; });
+bool CrossShear::touch_nowhere() const noexcept {
+    return std::ranges::any_of(slopes_[2], [](const Interval &x) { return x.lower > 0 || x.upper < 0; });
 }
 
 // What bends of one of both leave open is the larger part of how n . C changes, or what axes of X make of it.
@@ -174,9 +172,8 @@ CrossShear::Parts CrossShear::parts() const noexcept {
         parts.of_x[parts.count][along] = wider(ranges_of_x_[along], room);
         ++parts.count;
     }
-    const double left =
-        across * width_of(parts.of_x[0][along]) * width_of(parts.of_y[0]) * width_of(parts.of_y[1]);
-    parts.count = left <= far_less ? parts.count : 0;
+    parts.left = across * width_of(parts.of_x[0][along]) * width_of(parts.of_y[0]) * width_of(parts.of_y[1]);
+    parts.count = parts.left <= far_less ? parts.count : 0;
     return parts;
 }
 
