@@ -40,7 +40,7 @@ struct Measure { // "LENGTH_MEASURE(0.001)"
 inline constexpr Text no_name{""};
 inline constexpr Word unset{"$"};
 inline constexpr Word derived{"*"};
-inline constexpr Word unknown{".U."};
+inline constexpr Word not_told{".U."};
 inline constexpr Word unspecified{".UNSPECIFIED."};
 
 // Instances are numbered as they are added, from 1 on. Lines end behind the comma after column 72, so that old readers, which take

@@ -124,7 +124,7 @@ int64_t GeometryWriter::composite(const CurveShape &curve) {
         segments.push_back(
             text_.add("COMPOSITE_CURVE_SEGMENT", Word{".CONTINUOUS."}, !whole || piece.forward, Ref{parent}));
     }
-    return text_.add("COMPOSITE_CURVE", no_name, Refs{segments}, unknown);
+    return text_.add("COMPOSITE_CURVE", no_name, Refs{segments}, not_told);
 }
 
 int64_t GeometryWriter::curve(const CurveShape &curve) {

@@ -57,12 +57,12 @@ int64_t write_curve(ExchangeText &text, const Spline &curve, std::string_view na
     if (!has_weights(curve)) {
         const int64_t number = text.reserve();
         text.add_as(number, "B_SPLINE_CURVE_WITH_KNOTS", Text{stated_name(name, number)}, degree,
-                    Refs{points}, unspecified, around, unknown, Integers{times}, Reals{knots}, unspecified);
+                    Refs{points}, unspecified, around, not_told, Integers{times}, Reals{knots}, unspecified);
         return number;
     }
     const int64_t number = text.begin_complex();
     text.part("BOUNDED_CURVE");
-    text.part("B_SPLINE_CURVE", degree, Refs{points}, unspecified, around, unknown);
+    text.part("B_SPLINE_CURVE", degree, Refs{points}, unspecified, around, not_told);
     text.part("B_SPLINE_CURVE_WITH_KNOTS", Integers{times}, Reals{knots}, unspecified);
     text.part("CURVE");
     text.part("GEOMETRIC_REPRESENTATION_ITEM");
@@ -85,14 +85,14 @@ int64_t write_surface(ExchangeText &text, const Spline &surface, std::string_vie
     if (!has_weights(surface)) {
         const int64_t number = text.reserve();
         text.add_as(number, "B_SPLINE_SURFACE_WITH_KNOTS", Text{stated_name(name, number)}, degrees[0],
-                    degrees[1], net, unspecified, around[0], around[1], unknown, Integers{u.times},
+                    degrees[1], net, unspecified, around[0], around[1], not_told, Integers{u.times},
                     Integers{v.times}, Reals{u.knots}, Reals{v.knots}, unspecified);
         return number;
     }
     const std::vector<double> weights = weights_of(surface);
     const int64_t number = text.begin_complex();
     text.part("BOUNDED_SURFACE");
-    text.part("B_SPLINE_SURFACE", degrees[0], degrees[1], net, unspecified, around[0], around[1], unknown);
+    text.part("B_SPLINE_SURFACE", degrees[0], degrees[1], net, unspecified, around[0], around[1], not_told);
     text.part("B_SPLINE_SURFACE_WITH_KNOTS", Integers{u.times}, Integers{v.times}, Reals{u.knots},
               Reals{v.knots}, unspecified);
     text.part("GEOMETRIC_REPRESENTATION_ITEM");
