@@ -12,7 +12,8 @@ namespace nrb::face {
 namespace {
 
 // The difference of two rules is what the lower one lacks, as far as both are not equally wrong. The higher one lacks about its square,
-// which is trusted as far as QUADPACK trusts it (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber, D. Kahaner, 1983).
+// which is trusted as far as QUADPACK trusts it (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber, D. Kahaner, 1983), with the
+// magnitude in place of the mean deviation.
 double likely_error(double difference, double magnitude, double caution) noexcept {
     if (!(magnitude > 0)) {
         return difference;
