@@ -193,7 +193,7 @@ void check_model(const nurbs *surface, const nurbs_model *parts) {
     double area = 0, whole = 0;
     for (const Face &face : support::regions::faces_of(parts)) {
         sum += 2 - borders_of(face.get());
-        area += support::faces::area_of(face.get(), 1e-5);
+        area += support::faces::area_of(face.get(), 1e-4);
     }
     EXPECT_EQ(sum, 1);
     require_ok(nurbs_surface_area(surface, nullptr, 1e-6, &whole, nullptr));

@@ -213,7 +213,6 @@ CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
     box_.b = pair.b;
     cut_.reset();
     parts_ = {};
-    is_little_left_ = false;
     const CrossChart::Verdict verdict = box_.chart.set(*pair.a, *pair.b);
     if (verdict == CrossChart::Verdict::apart || verdict == CrossChart::Verdict::chart || pair.no_shear ||
         !are_parallel(*pair.a, *pair.b, nearly)) {
@@ -242,14 +241,18 @@ CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
 
 // Of a pair with a shear. Where unknowns are coupled a little, planes of tangents have one line in common, and k is what is left to halve.
 void CrossSearch::keep_cut(Pair &pair) {
-    constexpr double little = 0x1p-6;
     parts_ = shear_.parts();
-    is_little_left_ = parts_.count > 0 && parts_.left <= little && shear_.touch_nowhere();
     cut_ = {shear_.cut().first == first_is_x_, shear_.cut().axis};
     if (box_.chart.is_coupled()) {
         pair.no_contact = true;
         cut_ = {first_is_x_, box_.chart.axis() % 2};
     }
+}
+
+// By the shear, of what touches nowhere: so many are no crowd.
+bool CrossSearch::is_little_left() const noexcept {
+    constexpr double little = 0x1p-6;
+    return parts_.count > 0 && parts_.left <= little && shear_.touch_nowhere();
 }
 
 void CrossSearch::look_for_arc(const Pair &pair) {
@@ -367,7 +370,7 @@ void CrossSearch::look_at_flat(Pair pair) {
     const bool thin = thickness <= tolerance_, crowded = crowds_.is_crowded(pair.of);
     if (crowded && (thin || are_parallel(*pair.a, *pair.b, 0.8))) {
         add(pair);
-    } else if (!is_little_left_ && (thin || are_along(pair))) {
+    } else if (!is_little_left() && (thin || are_along(pair))) {
         flat_.push_back({pair, cut, thickness});
     } else {
         divide(pair, cut);

@@ -79,6 +79,7 @@ private:
     [[nodiscard]] Cut usual_cut(const Pair &pair) const noexcept;
     CrossChart::Verdict set_chart(Pair &pair);
     void keep_cut(Pair &pair);
+    [[nodiscard]] bool is_little_left() const noexcept;
     void look_for_arc(const Pair &pair);
     void divide(const Pair &pair, const Cut &cut);
     void halve(const Pair &pair, const Cut &cut);
@@ -115,8 +116,7 @@ private:
     // Of the present pair.
     std::optional<Cut> cut_;
     CrossShear::Parts parts_;
-    bool is_little_left_ = false; // by these, of what touches nowhere: so many are no crowd
-    bool first_is_x_ = true;      // of the shear
+    bool first_is_x_ = true; // of the shear
     std::optional<SelfPairs> self_;
     CrossBox box_{};
     CrossParts found_;
