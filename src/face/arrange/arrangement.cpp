@@ -219,7 +219,7 @@ double Arrangement::rounding() const noexcept {
     return rounding_share / std::max(hits_.distance({0, 0}, {1, 0}), hits_.distance({0, 0}, {0, 1}));
 }
 
-void Arrangement::fail_undecided(const Point2 &x) const {
+void fail_undecided(const Point2 &x) {
     fail(Status::not_converged, "curves come undecidably near each other at (%s, %s)", Number(x[0]).text,
          Number(x[1]).text);
 }

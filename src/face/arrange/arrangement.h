@@ -101,7 +101,6 @@ public:
     [[nodiscard]] double near() const noexcept { return near_; }
     // In those of the domain: how far from each other rounding alone sets places that are one.
     [[nodiscard]] double rounding() const noexcept;
-    [[noreturn]] void fail_undecided(const Point2 &x) const;
 
 private:
     // Loops of the smooth parts of the curves, which fills the origins of these.
@@ -130,5 +129,8 @@ private:
 
 // Throws Status::weight_sign for a weight that is not positive, gap for a curve that jumps.
 void check_border_curves(std::span<const SplinePtr> curves);
+
+// Where curves come so near each other that it is not decided whether they meet.
+[[noreturn]] void fail_undecided(const Point2 &x);
 
 } // namespace nrb::face

@@ -129,7 +129,7 @@ public:
             if (!known_[i]) {
                 known_[i] = Beside(arrangement_, at_corner_, i).find();
                 if (!known_[i]) {
-                    arrangement_.fail_undecided(arrangement_.nodes()[arrangement_.edges()[i].from]);
+                    fail_undecided(arrangement_.nodes()[arrangement_.edges()[i].from]);
                 }
                 go_on({i, false});
                 go_on({i, true});

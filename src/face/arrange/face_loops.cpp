@@ -90,7 +90,7 @@ AtCorner::AtCorner(const Arrangement &arrangement)
 void AtCorner::add(const Face &face, int32_t owner) {
     const int side = closed_ ? face.trims().side(corner_) : -1;
     if (side == 0) {
-        arrangement_.fail_undecided(corner_);
+        fail_undecided(corner_);
     }
     if (side > 0) {
         sums_.push_back({owner, 1});

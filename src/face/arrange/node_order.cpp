@@ -43,7 +43,7 @@ public:
         const Point2 &node = edge.back ? pieces.back().end : pieces.front().start;
         constexpr double far_enough = 4;
         Lead best{edge, 0, 0};
-        const TrimPiece *found = nullptr;
+        const TrimPiece *found = edge.back ? &pieces.back() : &pieces.front();
         double farthest = -1;
         for (size_t i = 0; i < pieces.size(); ++i) {
             const TrimPiece &piece = pieces[edge.back ? pieces.size() - 1 - i : i];
@@ -110,7 +110,7 @@ void sort_around_node(const Arrangement &arrangement, std::vector<DirectedEdge> 
         sorted.insert(at, own);
     }
     if (undecided) {
-        arrangement.fail_undecided(arrangement.nodes()[arrangement.from(edges.front())]);
+        fail_undecided(arrangement.nodes()[arrangement.from(edges.front())]);
     }
     std::ranges::transform(sorted, edges.begin(), [](const Lead &lead) { return lead.edge; });
 }

@@ -91,6 +91,7 @@ std::vector<PartLoops> PartsWithin::list(bool around_corner) const {
         }
     }
     std::vector<PartLoops> result;
+    result.reserve(parts.size());
     for (auto &[name, loops] : parts) {
         result.push_back(std::move(loops));
     }
@@ -155,7 +156,7 @@ size_t PartsWithin::element_above(const EdgeLoop &way) const {
     }
     const auto found = lowest == nullptr ? way_of_.end() : way_of_.find(left_below(*lowest));
     if (found == way_of_.end()) {
-        arrangement_.fail_undecided(top);
+        fail_undecided(top);
     }
     return found->second;
 }

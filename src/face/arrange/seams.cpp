@@ -42,9 +42,10 @@ Interval widest_gap(const TrimPieces &plane, const Covering &covering, int k) {
 // Calls visit(piece, u) for all copies of a line u = at that a piece passes.
 template <class Visit>
 void for_each_passage(const TrimPiece &piece, double at, double period, Visit &&visit) {
-    double u = at + std::ceil((piece.lower[0] - at) / period) * period;
-    for (; u <= piece.upper[0] && piece.lower[0] < piece.upper[0]; u += period) {
-        visit(u);
+    auto copy = static_cast<int64_t>(std::ceil((piece.lower[0] - at) / period));
+    const auto u = [&] { return at + static_cast<double>(copy) * period; };
+    for (; u() <= piece.upper[0] && piece.lower[0] < piece.upper[0]; ++copy) {
+        visit(u());
     }
 }
 

@@ -57,7 +57,7 @@ private:
     // clockwise.
     void set_next(size_t node, const std::vector<size_t> &ins, const std::vector<size_t> &outs) {
         if (ins.size() != outs.size()) {
-            arrangement_.fail_undecided(arrangement_.nodes()[node]);
+            fail_undecided(arrangement_.nodes()[node]);
         }
         std::map<DirectedEdge, size_t> out_of, in_of;
         std::vector<DirectedEdge> around;
@@ -79,7 +79,7 @@ private:
             if (const auto in = in_of.find(around[i]); in != in_of.end()) {
                 const auto out = out_of.find(around[(i + around.size() - 1) % around.size()]);
                 if (out == out_of.end()) {
-                    arrangement_.fail_undecided(arrangement_.nodes()[node]);
+                    fail_undecided(arrangement_.nodes()[node]);
                 }
                 next_[in->second] = out->second;
             }

@@ -27,11 +27,10 @@ std::vector<double> passages_of(const Covering &covering, const SplinePtr &curve
         for (int k = 0; k < 2 && !closes && covering.closed(k); ++k) {
             const auto at = static_cast<size_t>(k);
             const double low = covering.domain(k).lower, period = covering.period(k);
-            for (double n = std::ceil((piece.lower[at] - low) / period); low + n * period <= piece.upper[at];
-                 ++n) {
-                if (piece.lower[at] < piece.upper[at]) {
-                    places.push_back(parameter_at(piece, pieces.place_of(piece, k, low + n * period)));
-                }
+            auto copy = static_cast<int64_t>(std::ceil((piece.lower[at] - low) / period));
+            const auto seam = [&] { return low + static_cast<double>(copy) * period; };
+            for (; seam() <= piece.upper[at] && piece.lower[at] < piece.upper[at]; ++copy) {
+                places.push_back(parameter_at(piece, pieces.place_of(piece, k, seam())));
             }
         }
     }

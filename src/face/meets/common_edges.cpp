@@ -92,7 +92,7 @@ UnderEdge given_under(const Face &face, const Coedge &coedge, const SplinePtr &e
 
 UnderEdge under(const Face &face, const Coedge &coedge, const SplinePtr &edge, bool turned) {
     const double tolerance = face.tolerance();
-    const UnderEdge given = given_under(face, coedge, edge, turned);
+    UnderEdge given = given_under(face, coedge, edge, turned);
     if (given.distance <= tolerance) {
         return given;
     }

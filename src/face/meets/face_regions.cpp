@@ -52,7 +52,6 @@ FaceRegions::FaceRegions(const Face &a, const Face &b, const std::array<SplinePt
     : a_(a), b_(b), grounds_(grounds, {a.tolerance(), b.tolerance()}, tolerance) {}
 
 std::optional<Meet> FaceRegions::within(const Meet &surfaces, const MeetNode &region) {
-    const int64_t before = found_;
     try {
         return cut_out(loops_of(surfaces, region.level), grounds_.is_alike(region.at, region.at_second));
     } catch (const Error &error) {
@@ -60,7 +59,6 @@ std::optional<Meet> FaceRegions::within(const Meet &surfaces, const MeetNode &re
             throw;
         }
     }
-    found_ = before;
     return std::nullopt;
 }
 
@@ -78,12 +76,14 @@ Meet FaceRegions::cut_out(const SharedLoops &loops, bool alike) {
     }
     const SharedParts shared(grounds_, 0, a_, parts);
     RegionBranches branches(grounds_, found);
+    int64_t level = found_;
     for (const SharedLoops &part : shared.parts()) {
-        branches.add_region(part, ++found_);
+        branches.add_region(part, ++level);
     }
     for (const SharedCurve &edge : shared.edges()) {
         branches.add_edge(edge);
     }
+    found_ = level;
     return found;
 }
 

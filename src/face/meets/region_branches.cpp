@@ -118,7 +118,7 @@ bool RegionBranches::goes_on_in_itself(const SharedCurve &curve) const {
 // In one node, or across a seam in two.
 void RegionBranches::join(const SharedCurve &before, const SharedCurve &after, int64_t level, int64_t &end,
                           int64_t &begin) {
-    const bool seam = grounds_.passes_seam(before, after);
+    const bool seam = passes_seam(before, after);
     const NodeKind kind = seam ? NodeKind::seam : NodeKind::border;
     end = add_node(before, true, kind, level);
     begin = seam ? add_node(after, false, kind, level) : end;

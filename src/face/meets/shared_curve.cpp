@@ -117,7 +117,7 @@ void SharedGrounds::join(SharedLoop &loop) const {
     }
 }
 
-bool SharedGrounds::passes_seam(const SharedCurve &before, const SharedCurve &after) const {
+bool passes_seam(const SharedCurve &before, const SharedCurve &after) {
     return end_place(*before.on[0], true) != end_place(*after.on[0], false) ||
            end_place(*before.on[1], true) != end_place(*after.on[1], false);
 }

@@ -38,8 +38,6 @@ public:
     [[nodiscard]] SharedLoop over(size_t k, const SplinePtr &curve) const;
     // Each curve of a loop begins where the one before ends, bit for bit, but for periods of axes that close.
     void join(SharedLoop &loop) const;
-    // Whether a curve begins in another copy of a domain than the one before ends.
-    [[nodiscard]] bool passes_seam(const SharedCurve &before, const SharedCurve &after) const;
     // Whether both surfaces have one normal, to within a right angle, at places of them.
     [[nodiscard]] bool is_alike(const Point2 &first, const Point2 &second) const;
 
@@ -52,5 +50,8 @@ private:
     std::array<std::array<double, 2>, 2> speeds_; // of surfaces, by axes
     double tolerance_, near_;
 };
+
+// Whether a curve begins in another copy of a domain than the one before ends.
+bool passes_seam(const SharedCurve &before, const SharedCurve &after);
 
 } // namespace nrb::face

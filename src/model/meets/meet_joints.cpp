@@ -149,7 +149,7 @@ void MeetJoints::match_on_edge(const std::vector<size_t> &ends) {
             begins.push_back(i);
         }
     }
-    const auto longest =
+    const auto *const longest =
         std::ranges::max_element(extents, {}, [](const Interval &x) { return x.upper - x.lower; });
     const auto along = static_cast<size_t>(longest - extents.begin());
     const auto key = [&](size_t i) { return coordinate(ends_[i].point, along); };

@@ -32,7 +32,7 @@ public:
     // All of them, rising, in a vector that was empty. Returns whether there are no others, and none is a touch.
     bool all(const intersect::RayQuery &query, std::vector<PlacedMeet> &out);
     // The same with one placed face, in any order. Precondition: a direction of about 1.
-    bool all_of(int32_t placed, const intersect::RayQuery &query, std::vector<PlacedMeet> &out);
+    bool all_of(int32_t placed, const intersect::RayQuery &given, std::vector<PlacedMeet> &out);
     [[nodiscard]] ModelAnswer answer(const PlacedMeet &meet) const;
 
 private:

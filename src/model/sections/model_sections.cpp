@@ -14,9 +14,6 @@ namespace nrb::model {
 namespace {
 
 using intersect::Meet;
-using intersect::MeetBranch;
-using intersect::MeetNode;
-using intersect::NodeKind;
 
 // With a normal of about 1.
 SectionPlane scaled(const SectionPlane &plane) noexcept {

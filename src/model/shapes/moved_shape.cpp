@@ -79,7 +79,7 @@ private:
         shape.place.dim = 3;
         return shape;
     }
-    [[nodiscard]] SurfaceShape extruded(CurveShapePtr curve, const Vector3 &way) const {
+    static SurfaceShape extruded(CurveShapePtr curve, const Vector3 &way) {
         SurfaceShape shape = empty(SurfaceKind::extrusion);
         shape.curve = std::move(curve);
         shape.vector = way;
