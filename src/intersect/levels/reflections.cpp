@@ -16,8 +16,8 @@ PieceField::Function function_of(ReflectionKind kind, const Vector &eye, const V
                                  const Vector &point) {
     return [=](const HomogeneousPiece &piece) {
         const RoundedPolynomial normal = pieces::normal_numerator(piece),
-                                moment = cross(seen_from(piece, point), row_of(direction)),
-                                of_normal = dot(normal, moment);
+                                moment = cross(seen_from(piece, point), row_of(direction));
+        RoundedPolynomial of_normal = dot(normal, moment);
         if (kind == ReflectionKind::highlight) {
             return of_normal;
         }

@@ -54,6 +54,9 @@ FeetParts FeetSearch::run(double tolerance) {
         }
         pairs_ = std::exchange(next_, {});
     }
+    if (unbounded_) {
+        speeds_.fill(infinity);
+    }
     return std::move(found_);
 }
 
@@ -86,6 +89,7 @@ void FeetSearch::look_at(FeetGroup &surface, FeetGroup &curve) {
         FeetCell *const patch = patches_.cell(surface), *const span = spans_.cell(curve);
         if (patch == nullptr || span == nullptr) {
             add_unknown(surface, curve);
+            unbounded_ = true;
         } else {
             count_work(work_of_a_pair);
             pairs_.push_back({patch, span, false});

@@ -34,7 +34,7 @@ public:
 
     // tolerance: in the frame. The cells that arcs are in last as long as the search.
     FeetParts run(double tolerance);
-    // The largest derivatives of points by u, v and t.
+    // Of what was found: the largest derivatives of points by u, v and t, infinite ones if parts without any bound are left.
     [[nodiscard]] const std::array<double, 3> &speeds() const noexcept { return speeds_; }
 
 private:
@@ -63,6 +63,7 @@ private:
     const pieces::PieceGrid &grid_, &lines_;
     FeetGroups patches_, spans_;
     std::array<double, 3> speeds_;
+    bool unbounded_ = false; // parts are left that have none
     double tolerance_ = 0;
     std::vector<std::pair<FeetGroup *, FeetGroup *>> stack_;
     std::vector<Pair> pairs_, next_;

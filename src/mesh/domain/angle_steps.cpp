@@ -67,17 +67,16 @@ bool AngleRefinement::halve(int32_t t, size_t k, double shortest) {
     if (!makes_triangles(t, k, x)) {
         return false;
     }
-    const int32_t v = make_site(x, t);
-    int32_t w = v;
+    std::array<double, 2> y = x; // on the other side
     if (side.stays) {
         const auto &other = net_[side.next].sites;
         const auto j = static_cast<size_t>(side.back);
-        const std::array<double, 2> y = middle(other[(j + 1) % 3], other[(j + 2) % 3]);
+        y = middle(other[(j + 1) % 3], other[(j + 2) % 3]);
         if (!makes_triangles(side.next, j, y)) {
             return false;
         }
-        w = make_site(y, side.next);
     }
+    const int32_t v = make_site(x, t), w = side.stays ? make_site(y, side.next) : v;
     if (v < 0 || w < 0 || sites_[v].point != sites_[w].point ||
         (!side.stays && is_near(at(v), t, shortest))) {
         return false;

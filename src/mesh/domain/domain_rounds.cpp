@@ -140,8 +140,9 @@ bool DomainMesher::change_border() {
     }
     wish.weak.assign(weak_.begin(), weak_.end());
     const bool crosses = !(wish.crossed.empty() && wish.united.empty() && wish.touched.empty());
-    changes_ += crosses || angle_ > 0 ? 1 : 0;
-    return (crosses || !wish.weak.empty()) && domain_.change_border(wish);
+    const bool wanted = crosses || !wish.weak.empty();
+    changes_ += crosses || (wanted && angle_ > 0) ? 1 : 0;
+    return wanted && domain_.change_border(wish);
 }
 
 bool DomainMesher::take_border() {

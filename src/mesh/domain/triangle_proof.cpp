@@ -19,9 +19,12 @@ constexpr int64_t work_of_a_box = 3000, work_of_a_known_one = 300;
 // How far places between a segment of the border and its curve are from it, in space.
 double move_over(const BorderSegment &segment, const HessianBox &box, const Rectangle &cell,
                  double most) noexcept {
-    const double u = std::clamp(segment.over[0] / cell.side(0), -most, most),
-                 v = std::clamp(segment.over[1] / cell.side(1), -most, most);
-    return segment.across ? box.move(u, v) : box.move(u, 0) + box.move(0, v);
+    const double u = segment.over[0] / cell.side(0), v = segment.over[1] / cell.side(1);
+    if (!segment.across || !(std::max(std::abs(u), std::abs(v)) < infinity)) {
+        return box.move(std::clamp(u, -most, most), 0) + box.move(0, std::clamp(v, -most, most));
+    }
+    const double longer = std::max(std::abs(u), std::abs(v)), part = longer > most ? most / longer : 1;
+    return box.move(part * u, part * v); // what of the way is in the cell, in its direction
 }
 
 // The part of a rectangle in a block, of a width along both axes.
@@ -42,17 +45,6 @@ Rectangle in_block(const Rectangle &part, const Rectangle &block) noexcept {
 bool is_in(const Rectangle &part, const Rectangle &block) noexcept {
     return part.lower[0] >= block.lower[0] && part.lower[1] >= block.lower[1] &&
            part.upper[0] <= block.upper[0] && part.upper[1] <= block.upper[1];
-}
-
-// Whether a part reaches beyond a line at which the surface may have a kink.
-bool leaves(const Rectangle &part, const Rectangle &block) noexcept {
-    constexpr double room = 1e-6;
-    bool result = false;
-    for (size_t k = 0; k < 2; ++k) {
-        result = result || part.lower[k] < block.lower[k] - room * block.side(k) ||
-                 part.upper[k] > block.upper[k] + room * block.side(k);
-    }
-    return result;
 }
 
 void take_better(double other, double &bound) noexcept {
@@ -152,6 +144,18 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
 // more than that of the largest one times the sum of l_i w_i / w.
 double TriangleProof::moved_between(const Placed &placed, const TriangleBound &bound) noexcept {
     return placed.moved > 0 ? placed.moved * bound.weighed : 0;
+}
+
+// A triangle may reach a little beyond a line at which the surface may have a kink, where rounding sets its corners. There both the
+// surface and what it would be without the kink are as near to that line as they move on the way.
+double TriangleProof::moved_beyond(const Rectangle &part, const Rectangle &block) const noexcept {
+    constexpr double room = 1e-6;
+    double moved = 0;
+    for (size_t k = 0; k < 2; ++k) {
+        const double beyond = std::max({0.0, block.lower[k] - part.lower[k], part.upper[k] - block.upper[k]});
+        moved += beyond > room * block.side(k) ? infinity : 2 * beyond * cells_.tree().speed(k);
+    }
+    return moved;
 }
 
 ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
@@ -276,9 +280,9 @@ ProvenTriangle TriangleProof::in_strip(const SiteTriangle &triangle) {
                                 (corners[0].param[1] + corners[1].param[1] + corners[2].param[1]) / 3});
     const Rectangle block = cells_.tree().block(number);
     ProvenTriangle result;
-    const bool left = leaves(place.part, block);
+    const double beyond = moved_beyond(place.part, block);
     const auto set_over = [&](const Moves &moves) {
-        result.moved = left ? infinity : moved_between(place, result.bound);
+        result.moved = moved_between(place, result.bound) + beyond;
         result.over = result.moved + *std::ranges::max_element(moves);
     };
     widen(triangle, place.part);

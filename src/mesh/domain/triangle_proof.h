@@ -60,6 +60,7 @@ private:
     [[nodiscard]] std::array<double, 3> shares_of_step(const SiteTriangle &triangle, const Placed &placed,
                                                        size_t side) const noexcept;
     [[nodiscard]] static double moved_between(const Placed &placed, const TriangleBound &bound) noexcept;
+    [[nodiscard]] double moved_beyond(const Rectangle &part, const Rectangle &block) const noexcept;
     // one_block: whether curves of the border stay in that of the triangle.
     void set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves, bool one_block,
                   TriangleBound &bound) const noexcept;

@@ -27,6 +27,7 @@ using measure::MomentOrder;
 
 pieces::Frame frame_of(const std::vector<TrimmedSurface> &surfaces) {
     std::vector<const Spline *> all;
+    all.reserve(surfaces.size());
     for (const TrimmedSurface &own : surfaces) {
         all.push_back(own.surface);
     }

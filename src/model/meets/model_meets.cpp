@@ -19,7 +19,6 @@ namespace {
 using intersect::BranchKind;
 using intersect::Meet;
 using intersect::MeetBranch;
-using intersect::MeetNode;
 
 // Pairs of faces whose boxes have common points.
 std::vector<FacePair> near_pairs(const PlacedFaces &a, const PlacedFaces &b) {

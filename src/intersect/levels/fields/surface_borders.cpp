@@ -33,7 +33,7 @@ SurfaceBorders::SurfaceBorders(const pieces::PieceGrid &grid) : grid_(grid) {
             closed = closed && are_one(a, b, near) && std::abs(a[3] - b[3]) <= 64 * eps * std::abs(a[3]);
             for (size_t end = 0; end < 2; ++end) {
                 collapsed_[axis][end] =
-                    (i == 0 || collapsed_[axis][end]) && are_one(&sides[end][i], &sides[end][0], near);
+                    (i == 0 || collapsed_[axis][end]) && are_one(&sides[end][i], sides[end].data(), near);
             }
         }
         closed_[axis] = closed && !grid.periodic(static_cast<int>(axis));

@@ -10,6 +10,7 @@ RangesTree::RangesTree(const SurfaceBorders &a, const SurfaceBorders &b, const s
         periods_[i] = borders.wraps(i % 2) ? borders.period(i % 2) : 0;
     }
     std::vector<Box3> boxes;
+    boxes.reserve(ranges.size());
     for (const Ranges &own : ranges) {
         boxes.push_back(box_of(own, {}));
     }
