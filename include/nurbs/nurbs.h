@@ -5400,37 +5400,43 @@ NURBS_API nurbs_status nurbs_fold_pieces_with(const nurbs *g, const double *refe
  * nurbs_meet_destroy(meet);
  * \endcode
  * Every answer says what is proven. Each hit has a kind and a range of parameters, and it is proven that
- * there is no solution outside of the ranges; `complete` is 1 if no hit is undecided. With a tolerance of 0
- * only what double precision proves is decided: what touches to rounding is undecided, unless the control
- * points say without any rounding that it touches.
+ * there is no solution outside the ranges; `complete` is 1 if no hit is undecided. With a tolerance of 0 only
+ * what double precision proves is decided: a touch to rounding is undecided, unless the control points show
+ * without any rounding that the shapes touch.
+ *
+ * A nurbs_meet holds the curves of an intersection, a section, a contour or a projection. Its branches are
+ * these curves, its nodes the places where branches end and the parts in which something is not resolved, and
+ * a way is a chain of branches, each of which continues the one before.
  * @{ */
 
 /** \name Kinds of hits
  * @{ */
-#define NURBS_HIT_CROSSING 1  /**< from one side to the other, or an end that is reached */
+#define NURBS_HIT_CROSSING 1  /**< passes from one side to the other, or has an end there */
 #define NURBS_HIT_TANGENT 2   /**< a touch, as far as rounding and the tolerance can tell */
 #define NURBS_HIT_CONTACT 3   /**< within the tolerance, but proven apart: the nearest place */
-#define NURBS_HIT_OVERLAP 4   /**< within the tolerance in all of the range, a span or more */
-#define NURBS_HIT_JUMP 5      /**< from one side to the other where the curve jumps, and meets nothing */
-#define NURBS_HIT_UNDECIDED 6 /**< a range in which it is left open what there is */
+#define NURBS_HIT_OVERLAP 4   /**< within the tolerance in the whole range, which is a span or more */
+#define NURBS_HIT_JUMP 5      /**< changes sides where the curve jumps, without meeting anything */
+#define NURBS_HIT_UNDECIDED 6 /**< a range in which it is not decided what there is */
 /** @} */
 
-/** \brief Roots of a scalar curve: where f(t) = value. Signs of Bernstein coefficients prove how many there
- * are (Descartes' rule), so that none is lost or given twice, also at knots and ends. Where |f - value| <=
- * tolerance on a whole span of the knots or more, that range is one hit, an overlap, unless there is just one
- * root in it.
- * \param[in] g a curve of dimension 1.
- * \param[in] value what f has to come to, finite.
- * \param[in] tolerance largest |f - value| that counts as none, >= 0.
+/** \brief Roots of a scalar curve: where f(t) = value.
+ *
+ * The signs of Bernstein coefficients prove how many roots there are (Descartes' rule of signs), so that none
+ * is lost or reported twice, not even at knots and ends. Where |f - value| <= tolerance on a whole knot span
+ * or more, that range is one hit, an overlap, unless it contains exactly one root.
+ * \param[in] g a curve of dimension 1, the function f.
+ * \param[in] value the value that f has to take, finite.
+ * \param[in] tolerance largest |f - value| that counts as zero, >= 0.
  * \param[in] cap length of the outputs: 0, or at least the number of hits.
- * \param[out] params [cap] or NULL: where, in rising order; the middle of an overlap or of a range that is
- *   undecided. A root at the seam of a periodic curve is at its lower end.
- * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants each.
- * \param[out] ranges [cap][2] or NULL: of parameters, the range of a crossing or a tangent that holds the
- *   root, and that of a contact or an overlap in which |f - value| <= tolerance. On periodic curves they may
- *   end in the next period. Where the curve jumps, the limit from either side may be meant.
+ * \param[out] params [cap] or NULL: the parameters, in rising order; for an overlap or an undecided range,
+ *   its middle. A root at the seam of a periodic curve is reported at the lower end of the domain.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants for each hit.
+ * \param[out] ranges [cap][2] or NULL: ranges of parameters: for a crossing or a tangent the range that
+ *   contains the root, for a contact or an overlap the range in which |f - value| <= tolerance. On periodic
+ *   curves a range may end in the next period. Where the curve jumps, the limit from either side may be
+ *   meant.
  * \param[out] count or NULL: number of hits.
- * \param[out] complete or NULL: 1 if none of them is undecided, else 0.
+ * \param[out] complete or NULL: 1 if no hit is undecided, else 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP,
  *   _NOT_REPRESENTABLE; _POINT_NOT_FINITE if value is not finite, _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -5438,29 +5444,32 @@ NURBS_API nurbs_status nurbs_roots(const nurbs *g, double value, double toleranc
                                    double *params, int32_t *kinds, double *ranges, int64_t *count,
                                    int32_t *complete);
 
-/** \brief nurbs_roots() as a call that can be watched and ended.
+/** \brief nurbs_roots() with progress reports, cancellation and a limit of work.
  * \param[in] g,value,tolerance,cap as for nurbs_roots().
  * \param[out] params,kinds,ranges,count,complete as for nurbs_roots().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_roots(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_roots_with(const nurbs *g, double value, double tolerance, int64_t cap,
                                         double *params, int32_t *kinds, double *ranges, int64_t *count,
                                         int32_t *complete, const nurbs_call_options *call);
 
-/** \brief Where a curve meets a line, a plane, a conic, a sphere, a quadric or another set f(x) = 0 of a
- * polynomial f. Its coefficients are those of the products x_i x_j ... of `degree` factors with i <= j <=
- * ..., in lexicographic order, where x_dim stands for 1:
+/** \brief Where a curve meets a line, plane, conic, sphere, quadric or other set f(x) = 0 of a polynomial f.
+ *
+ * The coefficients of f are those of the products x_i x_j ... of `degree` factors with i <= j <= ..., in
+ * lexicographic order, where x_dim stands for 1:
+ *
  *     a x + b y + c of a line in the plane, a x + b y + c z + d of a plane,
  *     a x x + b x y + c x + d y y + e y + f of a conic,
  *     a x x + b x y + c x z + d x + e y y + f y z + g y + h z z + i z + j of a quadric.
  * \param[in] g a curve.
- * \param[in] degree of f, 1 to 8.
- * \param[in] coefficients [M], M = (dim + degree)! / (dim! degree!), not all of them 0 but the last.
- * \param[in] tolerance largest |f| that counts as none, >= 0: a distance, if degree is 1 and (a, b, c) a unit
- *   vector; of a sphere as (|x - m|^2 - r^2) / (2 r) nearly so.
+ * \param[in] degree the degree of f, 1 to 8.
+ * \param[in] coefficients [M], M = (dim + degree)! / (dim! degree!), of which at least one before the last is
+ *   not 0.
+ * \param[in] tolerance largest |f| that counts as zero, >= 0. It is a distance if degree is 1 and (a, b, c)
+ *   is a unit vector, and nearly one for a sphere written as (|x - m|^2 - r^2) / (2 r).
  * \param[in] cap length of the outputs: 0, or at least the number of hits.
- * \param[out] params,kinds,ranges,count,complete as for nurbs_roots(), of f on the curve.
+ * \param[out] params,kinds,ranges,count,complete as for nurbs_roots(), of f along the curve.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
  *   _DEGREE, _POINT_NOT_FINITE if a coefficient is not finite, _DIRECTION if all but the last are 0, _SIZE if
  *   cap is neither 0 nor enough.
@@ -5469,10 +5478,10 @@ NURBS_API nurbs_status nurbs_curve_level(const nurbs *g, int32_t degree, const d
                                          double tolerance, int64_t cap, double *params, int32_t *kinds,
                                          double *ranges, int64_t *count, int32_t *complete);
 
-/** \brief nurbs_curve_level() as a call that can be watched and ended.
+/** \brief nurbs_curve_level() with progress reports, cancellation and a limit of work.
  * \param[in] g,degree,coefficients,tolerance,cap as for nurbs_curve_level().
  * \param[out] params,kinds,ranges,count,complete as for nurbs_curve_level().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_level(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_level_with(const nurbs *g, int32_t degree, const double *coefficients,
@@ -5480,29 +5489,36 @@ NURBS_API nurbs_status nurbs_curve_level_with(const nurbs *g, int32_t degree, co
                                               double *ranges, int64_t *count, int32_t *complete,
                                               const nurbs_call_options *call);
 
-/** \brief Where two curves meet: all places at which they come as near as the tolerance. Parts that cross are
- * proven to meet once (a contraction by Krawczyk's operator). What is within the tolerance and hangs together
- * is an overlap, if it holds a whole span of one of the curves, or begins and ends where one of them has a knot
- * or an end; otherwise it is what can be told to be in it without the tolerance: crossings; a crossing too
- * where, in the plane, a changes its side of b in a range that rounding cannot look into (which may be any odd
- * number of them); tangents; and if there is nothing a contact. In space and above no two curves are proven to
- * meet: what does so to rounding is a crossing, and with a tolerance of 0 undecided, as are ends on the other
- * curve, and overlaps, unless both have the same control point there. Curves that jump do not meet between both
- * limits. A curve that closes without being periodic has two ends, and a hit at each.
- * \param[in] a,b curves of one dimension, 2 or more; not one and itself, or its clone
- *   (nurbs_curve_self_intersections()).
- * \param[in] tolerance the largest distance that counts as none, >= 0.
+/** \brief Where two curves meet: all places at which they come as near as the tolerance.
+ *
+ * Parts of the curves that cross are proven to meet exactly once (a contraction, by the Krawczyk operator).
+ * Parts within the tolerance of each other that are connected form one overlap if they contain a whole span
+ * of one of the curves, or begin and end where one of the curves has a knot or an end. All other parts within
+ * the tolerance are resolved without the tolerance, into
+ * - crossings. In the plane there is also a crossing where a changes its side of b in a range that rounding
+ *   cannot resolve; it may stand for any odd number of crossings.
+ * - tangents.
+ * - a contact, if they contain nothing else.
+ *
+ * In space and in higher dimensions no two curves are proven to meet: what meets to rounding is a crossing.
+ * With a tolerance of 0 it is undecided, as are ends on the other curve, and overlaps, unless both curves
+ * have the same control point there. Nothing is met in the gap between the two limits of a curve that jumps.
+ * A curve that closes without being periodic has two ends, and a hit at each.
+ * \param[in] a,b curves of the same dimension, 2 or more. They must not be the same curve or clones of it:
+ *   for that there is nurbs_curve_self_intersections().
+ * \param[in] tolerance the largest distance that counts as zero, >= 0.
  * \param[in] cap length of the outputs: 0, or at least the number of hits.
- * \param[out] params_a,params_b [cap] or NULL: where on both, rising on a; the middle of an overlap, elsewhere
- *   the nearest places found.
- * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants each.
- * \param[out] ranges_a [cap][2] or NULL: of parameters of a, for a crossing or a tangent those that hold it, for
- *   a contact those that are near. Those of an overlap end where the first of both ends, or where they part, to
- *   within the tolerance along the curves. On periodic curves they may end in the next period.
- * \param[out] ranges_b [cap][2] or NULL: the same of b; falling, where an overlap runs against b.
+ * \param[out] params_a,params_b [cap] or NULL: parameters on both curves, rising on a: for an overlap its
+ *   middle, otherwise the nearest places found.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants for each hit.
+ * \param[out] ranges_a [cap][2] or NULL: ranges of parameters of a: for a crossing or a tangent the range
+ *   that contains it, for a contact the range that is near. The range of an overlap ends where the first of
+ *   the two curves ends, or where they part, to within the tolerance along the curves. On periodic curves a
+ *   range may end in the next period.
+ * \param[out] ranges_b [cap][2] or NULL: the same for b; falling where an overlap runs against b.
  * \param[out] count or NULL: number of hits.
- * \param[out] complete or NULL: 1 if there is nothing within the tolerance beside the hits and none of them is
- *   undecided; 0 also at the limit of work, where what was not looked at is undecided.
+ * \param[out] complete or NULL: 1 if there is nothing within the tolerance besides the hits and none of them
+ *   is undecided, else 0. At the limit of work, what was not examined is undecided.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _SAME, _DIMENSION, _INCOMPATIBLE, _TOLERANCE, _COUNT, _OVERFLOW,
  *   _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -5511,10 +5527,10 @@ NURBS_API nurbs_status nurbs_curve_intersections(const nurbs *a, const nurbs *b,
                                                  int32_t *kinds, double *ranges_a, double *ranges_b,
                                                  int64_t *count, int32_t *complete);
 
-/** \brief nurbs_curve_intersections() as a call that can be watched and ended.
+/** \brief nurbs_curve_intersections() with progress reports, cancellation and a limit of work.
  * \param[in] a,b,tolerance,cap as for nurbs_curve_intersections().
  * \param[out] params_a,params_b,kinds,ranges_a,ranges_b,count,complete as for nurbs_curve_intersections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
@@ -5523,17 +5539,20 @@ NURBS_API nurbs_status nurbs_curve_intersections_with(const nurbs *a, const nurb
                                                       int64_t *count, int32_t *complete,
                                                       const nurbs_call_options *call);
 
-/** \brief Where a curve meets itself, at places a < b: as nurbs_curve_intersections() of its parts. Parts whose
- * derivative has no zero along some vector are proven to be simple. Two places are none if all of the curve
- * between them is within the tolerance of itself, nor are both ends of a curve that closes. At a cusp, and
- * where a curve turns back, double precision cannot exclude a loop of no size: with a tolerance of 0 these are
- * undecided. nurbs_singular_points() names them.
+/** \brief Where a curve meets itself, at pairs of parameters a < b.
+ *
+ * Hits are those of nurbs_curve_intersections() between parts of the curve. A part is proven to be simple if
+ * the component of its derivative along some vector is nowhere 0. A pair of places does not count if all of
+ * the curve between them stays near them, to about the tolerance, nor do the two ends of a curve that closes.
+ * At a cusp, and where a curve turns back, double precision cannot exclude a loop of zero size: with a
+ * tolerance of 0 such places are undecided. nurbs_singular_points() finds them.
  * \param[in] g a curve of dimension 2 or more.
- * \param[in] tolerance the largest distance that counts as none, >= 0.
+ * \param[in] tolerance the largest distance that counts as zero, >= 0.
  * \param[in] cap length of the outputs: 0, or at least the number of hits.
- * \param[out] params_a,params_b [cap] or NULL: both places, params_a < params_b, in the order of params_a.
- * \param[out] kinds,ranges_a,ranges_b,count,complete as for nurbs_curve_intersections(). count 0 and complete 1:
- *   the curve is proven to be simple.
+ * \param[out] params_a,params_b [cap] or NULL: both parameters, params_a < params_b, in the order of
+ *   params_a.
+ * \param[out] kinds,ranges_a,ranges_b,count,complete as for nurbs_curve_intersections(). If count is 0 and
+ *   complete is 1, the curve is proven to be simple.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP,
  *   _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -5542,11 +5561,11 @@ NURBS_API nurbs_status nurbs_curve_self_intersections(const nurbs *g, double tol
                                                       double *ranges_a, double *ranges_b, int64_t *count,
                                                       int32_t *complete);
 
-/** \brief nurbs_curve_self_intersections() as a call that can be watched and ended.
+/** \brief nurbs_curve_self_intersections() with progress reports, cancellation and a limit of work.
  * \param[in] g,tolerance,cap as for nurbs_curve_self_intersections().
  * \param[out] params_a,params_b,kinds,ranges_a,ranges_b,count,complete as for
  *   nurbs_curve_self_intersections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_self_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, double tolerance, int64_t cap,
@@ -5554,35 +5573,42 @@ NURBS_API nurbs_status nurbs_curve_self_intersections_with(const nurbs *g, doubl
                                                            double *ranges_a, double *ranges_b, int64_t *count,
                                                            int32_t *complete, const nurbs_call_options *call);
 
-/** \brief Where a curve meets a surface: all places at which they come as near as the tolerance. Parts that pass
- * through each other are proven to meet once (a contraction by Krawczyk's operator). What is within the tolerance
- * and hangs together is an overlap, if the curve is that near along a whole span of its own, or from a knot or an
- * end of the one or the other to the next; otherwise it is what can be told to be in it without the tolerance:
- * crossings; a crossing too where the curve changes its side of the surface in a range that rounding cannot look
- * into (which may be any odd number of them); tangents; and if there is nothing a contact. An end on the surface,
- * and a meet on its border, is a crossing to rounding; with a tolerance of 0 it is undecided, as are tangents and
- * overlaps, unless both have the same control point there. Surfaces go on where opposite borders are one curve,
- * and over a border that is one point if the others close round it: what is there is one hit. Overlaps where S_u
- * and S_v are parallel, or all but so, are undecided. Neither a curve nor a surface that jumps is met between both
- * limits. A curve that closes without being periodic has two ends, and a hit at each.
+/** \brief Where a curve meets a surface: all places at which they come as near as the tolerance.
+ *
+ * Parts that pass through each other are proven to meet exactly once (a contraction, by the Krawczyk
+ * operator). Parts within the tolerance of each other that are connected form one overlap if the curve is
+ * that near along a whole span of its own, or from a knot or an end of either shape to the next. All other
+ * parts within the tolerance are resolved without the tolerance, into
+ * - crossings. There is also a crossing where the curve changes its side of the surface in a range that
+ *   rounding cannot resolve; it may stand for any odd number of crossings.
+ * - tangents.
+ * - a contact, if they contain nothing else.
+ *
+ * An end of the curve on the surface, and a meeting on the border of the surface, is a crossing, to rounding.
+ * With a tolerance of 0 it is undecided, as are tangents and overlaps, unless both shapes have the same
+ * control point there. A surface continues across opposite borders that are one curve, and across a border
+ * that is one point if the other borders close around it: what lies there is one hit. Overlaps where S_u and
+ * S_v are parallel, or nearly so, are undecided. Nothing is met in the gap between the two limits where the
+ * curve or the surface jumps. A curve that closes without being periodic has two ends, and a hit at each.
  * \param[in] curve a curve of dimension 3.
  * \param[in] surface a surface of dimension 3.
- * \param[in] tolerance the largest distance that counts as none, >= 0.
+ * \param[in] tolerance the largest distance that counts as zero, >= 0.
  * \param[in] cap length of the outputs: 0, or at least the number of hits.
- * \param[out] params_curve [cap] or NULL: where on the curve, rising; about the middle of an overlap, elsewhere
- *   the nearest place found.
- * \param[out] params_surface [cap][2] or NULL: where on the surface.
- * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants each.
- * \param[out] ranges_curve [cap][2] or NULL: of parameters of the curve, for a crossing or a tangent those that
- *   hold it, for a contact those that are near. Those of an overlap end where the first of both ends, or where
- *   they part, to within the tolerance. On periodic curves they may end in the next period.
- * \param[out] ranges_surface [cap][2][2] or NULL: the same of the surface, lower and upper end along each axis;
- *   where it is periodic or closes they may end in the next period.
+ * \param[out] params_curve [cap] or NULL: parameters of the curve, rising: for an overlap about its middle,
+ *   otherwise the nearest place found.
+ * \param[out] params_surface [cap][2] or NULL: parameters of the surface.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_HIT_ constants for each hit.
+ * \param[out] ranges_curve [cap][2] or NULL: ranges of parameters of the curve: for a crossing or a tangent
+ *   the range that contains it, for a contact the range that is near. The range of an overlap ends where the
+ *   first of the two shapes ends, or where they part, to within the tolerance. On periodic curves a range may
+ *   end in the next period.
+ * \param[out] ranges_surface [cap][2][2] or NULL: the same for the surface, lower and upper end along each
+ *   axis. Where the surface is periodic or closes, a range may end in the next period.
  * \param[out] count or NULL: number of hits.
- * \param[out] complete or NULL: 1 if there is nothing within the tolerance beside the hits and none of them is
- *   undecided; 0 also at the limit of work, where what was not looked at is undecided.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _INCOMPATIBLE, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP,
- *   _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
+ * \param[out] complete or NULL: 1 if there is nothing within the tolerance besides the hits and none of them
+ *   is undecided, else 0. At the limit of work, what was not examined is undecided.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _INCOMPATIBLE, _TOLERANCE, _COUNT, _OVERFLOW,
+ *   _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_surface_intersections(const nurbs *curve, const nurbs *surface,
                                                          double tolerance, int64_t cap, double *params_curve,
@@ -5590,12 +5616,12 @@ NURBS_API nurbs_status nurbs_curve_surface_intersections(const nurbs *curve, con
                                                          double *ranges_curve, double *ranges_surface,
                                                          int64_t *count, int32_t *complete);
 
-/** \brief nurbs_curve_surface_intersections() as a call that can be watched and ended.
+/** \brief nurbs_curve_surface_intersections() with progress reports, cancellation and a limit of work.
  * \param[in] curve,surface,tolerance,cap as for nurbs_curve_surface_intersections().
  * \param[out] params_curve,params_surface,kinds,ranges_curve,ranges_surface as for
  *   nurbs_curve_surface_intersections().
  * \param[out] count,complete as for nurbs_curve_surface_intersections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_surface_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_surface_intersections_with(
@@ -5603,39 +5629,45 @@ NURBS_API nurbs_status nurbs_curve_surface_intersections_with(
     double *params_surface, int32_t *kinds, double *ranges_curve, double *ranges_surface, int64_t *count,
     int32_t *complete, const nurbs_call_options *call);
 
-/** \brief The points that three surfaces have in common: all of them, proven to be all. Triples of parts of Bezier pieces are halved
- * until their boxes have no common part, or a row of M F is nowhere 0, or the largest row sum of |I - M F'| is below 1, with
- * F = (A(u, v) - B(s, t), A(u, v) - C(p, q)) and M the inverse of its derivative: then there is one common point in them at
- * most, and Krawczyk's operator tells where. So a point in which the planes of tangents have no common direction is proven to
- * be one, to rounding where it is on a border or on a knot at which a surface has a kink. UNDECIDED is a part in which it is
- * left open what there is: the planes of tangents have a common direction, or all but have one, as where the three have a
- * curve or a region in common, which is told in parts that hang together on a; a derivative vanishes, as at poles; or the limit of
- * work came first. Costs: some 10 microseconds for each triple of pieces that come together, and more where they run along
+/** \brief The points that three surfaces have in common: all of them, proven to be all.
+ *
+ * Let F = (A(u, v) - B(s, t), A(u, v) - C(p, q)), and let M be the inverse of its derivative. Triples of
+ * parts of Bezier pieces are halved until their boxes have no common part, or a row of M F is nowhere 0, or
+ * the largest row sum of |I - M F'| is below 1. In the last case they contain at most one common point, which
+ * the Krawczyk operator locates. So a point at which the three tangent planes have no common direction is
+ * proven to be one, to rounding where it lies on a border or on a knot at which a surface has a kink.
+ *
+ * NURBS_HIT_UNDECIDED marks a part in which it is left open what there is: the tangent planes have a common
+ * direction, or nearly have one, as where the three surfaces share a curve or a region, which is reported in
+ * parts that are connected on a; or a derivative vanishes, as at poles; or the limit of work came first.
+ * Costs: about 10 microseconds for each triple of pieces that come together, and more where they run along
  * each other.
  * \param[in] a,b,c surfaces of dimension 3.
- * \param[in] tolerance the size in space, >= 0, of parts that need not be told apart; 0: what double precision tells.
+ * \param[in] tolerance the size in space, >= 0, of parts that need not be resolved further; 0: what double
+ *   precision resolves.
  * \param[in] cap length of the outputs: 0, or at least the number of points.
- * \param[out] params [cap][6] or NULL: both parameters of a, then of b, then of c, by rising ones of a; of UNDECIDED parts
- *   the middle.
+ * \param[out] params [cap][6] or NULL: both parameters of a, then of b, then of c, in the order of those of
+ *   a; for an undecided part, its middle.
  * \param[out] points [cap][3] or NULL: the points, as evaluated on a.
- * \param[out] kinds [cap] or NULL: NURBS_HIT_CROSSING or NURBS_HIT_UNDECIDED each.
- * \param[out] ranges [cap][6][2] or NULL: of these parameters, lower and upper end of each; there are no common points
- *   outside of them, and those of a crossing hold just one. What is on a seam is told on one side of it. Those of
- *   a part on both sides of a seam run beyond the upper end of the domain.
+ * \param[out] kinds [cap] or NULL: NURBS_HIT_CROSSING or NURBS_HIT_UNDECIDED for each.
+ * \param[out] ranges [cap][6][2] or NULL: lower and upper end of each of these parameters. There are no
+ *   common points outside the ranges, and those of a crossing contain exactly one. What lies on a seam is
+ *   reported on one side of it. The ranges of a part on both sides of a seam run beyond the upper end of the
+ *   domain.
  * \param[out] count or NULL: number of points.
- * \param[out] complete or NULL: 1 if none is UNDECIDED, else 0.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
- *   _SIZE if cap is neither 0 nor enough.
+ * \param[out] complete or NULL: 1 if none is undecided, else 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP,
+ *   _NOT_REPRESENTABLE; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surfaces_common_points(const nurbs *a, const nurbs *b, const nurbs *c,
                                                     double tolerance, int64_t cap, double *params,
                                                     double *points, int32_t *kinds, double *ranges,
                                                     int64_t *count, int32_t *complete);
 
-/** \brief nurbs_surfaces_common_points() as a call that can be watched and ended.
+/** \brief nurbs_surfaces_common_points() with progress reports, cancellation and a limit of work.
  * \param[in] a,b,c,tolerance,cap as for nurbs_surfaces_common_points().
  * \param[out] params,points,kinds,ranges,count,complete as for nurbs_surfaces_common_points().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_surfaces_common_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surfaces_common_points_with(const nurbs *a, const nurbs *b, const nurbs *c,
@@ -5646,30 +5678,33 @@ NURBS_API nurbs_status nurbs_surfaces_common_points_with(const nurbs *a, const n
 
 /** \name Status of a ray
  * @{ */
-#define NURBS_RAY_HIT 0x01       /**< the ray meets the surface there, if rounding is allowed for */
+#define NURBS_RAY_HIT 0x01       /**< the ray meets the surface there, to rounding */
 #define NURBS_RAY_CERTIFIED 0x02 /**< nothing is nearer; without NURBS_RAY_HIT: it meets nothing */
-#define NURBS_RAY_TOUCH 0x04 /**< it touches the surface there, as far as rounding can tell, or passes it */
-#define NURBS_RAY_BACK 0x08  /**< it comes from behind: from the side to which S_u x S_v does not point */
+#define NURBS_RAY_TOUCH 0x04     /**< it touches the surface there or just misses it: rounding cannot tell */
+#define NURBS_RAY_BACK 0x08 /**< it arrives from behind: from the side to which S_u x S_v does not point */
 /** @} */
 
-/** \brief Where rays x = origin + t direction, t >= 0, meet a surface first. Parts of Bezier pieces are taken for
- * which a contraction (Krawczyk's operator, in two planes through the ray) proves that they meet the ray once or
- * never; the others are halved. Rounding is in the proofs: certified answers are those for a ray that passes
- * within some units of rounding of the size of the surface and of the distance of the origin, so that a ray
- * through the common edge of two pieces, or along the edge of the surface, hits. At a jump the limit from either
- * side may be meant. The first call makes a tree of boxes, which is kept.
+/** \brief The first hits of rays x = origin + t direction, t >= 0, with a surface.
+ *
+ * A part of a Bezier piece is settled when a contraction (the Krawczyk operator, for two planes through the
+ * ray) proves that it meets the ray exactly once or never; other parts are halved. The proofs include
+ * rounding: a certified answer holds for a ray that passes within some units of rounding of the given one,
+ * relative to the size of the surface and the distance of the origin. So a ray through the common edge of two
+ * pieces, or along the edge of the surface, hits. At a jump the limit from either side may be meant. The
+ * first call builds a tree of boxes, which is kept.
  * \param[in] g a surface of dimension 3.
  * \param[in] n number of rays.
- * \param[in] origins [n][3].
+ * \param[in] origins [n][3] the origins of the rays.
  * \param[in] origin_stride,origin_component_stride layout of origins, 0 = packed.
- * \param[in] directions [n][3] of any length but 0.
+ * \param[in] directions [n][3] their directions, of any length but 0.
  * \param[in] direction_stride,direction_component_stride layout of directions, 0 = packed.
- * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither hit nor touch.
- * \param[out] distances [n] or NULL: t, which is in lengths of the direction; NaN as above.
- * \param[out] status [n] or NULL: NURBS_RAY_ bits. A touch is told where one comes before all hits; it may be
- *   none. Without NURBS_RAY_CERTIFIED what is nearer was left open after some thousand boxes.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP; _POINT_NOT_FINITE
- *   if an origin is not finite, _DIRECTION if a direction is not finite or 0.
+ * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither a hit nor a touch.
+ * \param[out] distances [n] or NULL: t, in units of the length of the direction; NaN where params are.
+ * \param[out] status [n] or NULL: sums of NURBS_RAY_ bits. A touch is reported if it comes before all hits;
+ *   it may be a near miss. Without NURBS_RAY_CERTIFIED it was left open after some thousand boxes whether
+ *   anything is nearer.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP;
+ *   _POINT_NOT_FINITE if an origin is not finite, _DIRECTION if a direction is not finite or 0.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_rays(const nurbs *g, int64_t n, const double *origins,
                                           int64_t origin_stride, int64_t origin_component_stride,
@@ -5677,12 +5712,13 @@ NURBS_API nurbs_status nurbs_surface_rays(const nurbs *g, int64_t n, const doubl
                                           int64_t direction_component_stride, double *params,
                                           double *distances, int32_t *status);
 
-/** \brief nurbs_surface_rays() as a call that can be watched and ended. At the limit of work rays that were not
- * looked at have no bits.
+/** \brief nurbs_surface_rays() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, rays that were not examined have no status bits.
  * \param[in] g,n,origins,origin_stride,origin_component_stride,directions as for nurbs_surface_rays().
  * \param[in] direction_stride,direction_component_stride as for nurbs_surface_rays().
  * \param[out] params,distances,status as for nurbs_surface_rays().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_surface_rays(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_rays_with(const nurbs *g, int64_t n, const double *origins,
@@ -5692,20 +5728,23 @@ NURBS_API nurbs_status nurbs_surface_rays_with(const nurbs *g, int64_t n, const 
                                                double *distances, int32_t *status,
                                                const nurbs_call_options *call);
 
-/** \brief All places where a ray meets a surface, by rising t, as nurbs_surface_rays() finds the first.
+/** \brief All places where a ray meets a surface, in the order of rising t.
+ *
+ * They are found as nurbs_surface_rays() finds the first one.
  * \param[in] g a surface of dimension 3.
- * \param[in] origin [3].
- * \param[in] direction [3] of any length but 0.
- * \param[in] range [2] or NULL: the t that count, infinite ones allowed; else {0, INFINITY}.
+ * \param[in] origin [3] the origin of the ray.
+ * \param[in] direction [3] its direction, of any length but 0.
+ * \param[in] range [2] or NULL for {0, INFINITY}: lower and upper end of the t that count, infinite ones
+ *   allowed.
  * \param[in] cap length of the outputs: 0, or at least the number of places.
  * \param[out] params [cap][2] or NULL: parameters of the surface.
- * \param[out] distances [cap] or NULL: t, which is in lengths of the direction.
- * \param[out] kinds [cap] or NULL: NURBS_RAY_HIT or NURBS_RAY_TOUCH each, and NURBS_RAY_BACK.
+ * \param[out] distances [cap] or NULL: t, in units of the length of the direction.
+ * \param[out] kinds [cap] or NULL: NURBS_RAY_HIT, to which NURBS_RAY_BACK may be added, or NURBS_RAY_TOUCH.
  * \param[out] count or NULL: number of places.
  * \param[out] complete or NULL: 1 if there are no others and none of them is a touch, else 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _OVERLAP, _POINT_NOT_FINITE,
- *   _DIRECTION as for nurbs_surface_rays(); _EMPTY_DOMAIN if range[0] > range[1] or one is NaN, _SIZE if cap is
- *   neither 0 nor enough.
+ *   _DIRECTION as for nurbs_surface_rays(); _EMPTY_DOMAIN if range[0] > range[1] or one is NaN, _SIZE if cap
+ *   is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *origin, const double *direction,
                                               const double *range, int64_t cap, double *params,
@@ -5713,50 +5752,54 @@ NURBS_API nurbs_status nurbs_surface_ray_hits(const nurbs *g, const double *orig
                                               int32_t *complete);
 /** \name Kinds of nodes of a nurbs_meet
  * @{ */
-#define NURBS_NODE_BORDER 1 /**< the surface ends or jumps there */
-#define NURBS_NODE_SEAM 2   /**< it closes there on an axis that is not periodic: the branch goes on beyond */
-#define NURBS_NODE_TOUCH 3  /**< a part within the tolerance in which branches are not told apart */
-#define NURBS_NODE_UNDECIDED 4 /**< a part in which it is left open what there is */
+#define NURBS_NODE_BORDER 1    /**< the surface ends or jumps there */
+#define NURBS_NODE_SEAM 2      /**< it closes there on a non-periodic axis: the branch continues beyond */
+#define NURBS_NODE_TOUCH 3     /**< a part within the tolerance in which branches are not separated */
+#define NURBS_NODE_UNDECIDED 4 /**< a part in which it is not decided what there is */
 #define NURBS_NODE_EDGE                                                                                      \
-    5 /**< an edge, a corner or a pole of faces of a model, where another branch goes on */
+    5 /**< an edge, a corner or a pole of faces of a model, where another branch continues */
 #define NURBS_NODE_FOLD                                                                                      \
-    6 /**< the surface folds as seen along the direction of a projection, or feet do: another sheet goes on */
+    6 /**< the surface folds, seen along the direction of a projection, or feet do: another sheet continues */
 #define NURBS_NODE_OVERLAP                                                                                   \
     7 /**< a region in which two surfaces are within the tolerance of each other; no branch ends there */
 /** @} */
 
-/** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all. Bezier pieces are halved
- * until normal . S changes strictly along one parameter, so that the section is a graph over the other one, in
- * which neither a loop nor an end can hide; curves of neighbours end in the same places. Every branch has
- * normal . S > offset on its left in the parameter domain. In space it runs along normal x N with N = S_u x S_v:
- * around a body whose N points outwards it runs anticlockwise, as seen from the tip of the normal. Branches
- * close, or end in nodes: at borders of the surface, at seams, and in
- * - TOUCH: all of the part is within the tolerance of the plane, or what rounding makes of it, and the section
- *   is not told apart in it: a peak, a pit, a saddle or a pole at the offset, a place where a border, a corner
- *   or a crease touches the plane, a piece in the plane. A loop that fits into the tolerance may be one, too,
- *   and a small branch may begin and end in one.
+/** \brief Where planes normal . x = offset cut a surface: all curves, proven to be all.
+ *
+ * Bezier pieces are halved until normal . S is strictly monotone in one parameter, so that the section is a
+ * graph over the other one, in which neither a loop nor an end can hide; the curves of neighbouring parts end
+ * in the same places. Every branch has normal . S > offset on its left in the parameter domain. In space it
+ * runs along normal x N with N = S_u x S_v: around a body whose N points outwards it runs counterclockwise,
+ * as seen from the tip of the normal. Branches close, or end in nodes: at borders of the surface, at seams,
+ * and in
+ * - TOUCH: all of the part is within the tolerance of the plane, or of what rounding makes of it, and the
+ *   section in it is not resolved. It is a peak, a pit, a saddle or a pole at the offset, a place where a
+ *   border, a corner or a crease touches the plane, or a piece that lies in the plane. A loop that fits into
+ *   the tolerance may be one, too, and a small branch may begin and end in one.
  * - UNDECIDED: the limit of work came first, or the surface is too nearly singular for double precision.
  *
- * Outside of these the branches are all there is, to within their deviations. Where f = normal . S - offset is 0
- * to rounding along a border or a crease it counts as above: a border in the plane is a branch where f < 0 or
- * f > 0 beside it; a crease with f > 0 on both sides is a TOUCH, and with f < 0 on both sides two branches, there
- * and back. Costs: a few microseconds for each piece that is cut, and for each piece of a curve.
+ * Outside these nodes the branches are all there is, to within their deviations. Where f = normal . S -
+ * offset is 0 to rounding along a border or a crease, it counts as positive: a border that lies in the plane
+ * is a branch where f < 0 or f > 0 beside it; a crease that lies in the plane is a TOUCH if f > 0 on both
+ * sides, and two branches, there and back, if f < 0 on both sides. Costs: a few microseconds for each piece
+ * that is cut, and for each piece of a curve.
  * \param[in] g a surface of dimension 3.
- * \param[in] normal [3] of the planes, of any length but 0.
+ * \param[in] normal [3] the normal of the planes, of any length but 0.
  * \param[in] n number of planes.
- * \param[in] offsets [n] in any order, in units of the length of the normal.
+ * \param[in] offsets [n] in any order; the signed distance of a plane from 0 is offset / |normal|.
  * \param[in] tolerance > 0: the largest distance of the curves from the section.
- * \param[out] out the new meet; branches in the order of the planes.
+ * \param[out] out the new meet; its branches are in the order of the planes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE;
  *   _DIRECTION if the normal is not finite or 0, _POINT_NOT_FINITE if an offset is not finite.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_sections(const nurbs *g, const double *normal, int64_t n,
                                               const double *offsets, double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_surface_sections() as a call that can be watched and ended. At the limit of work what was not looked
- * at is undecided, and curves keep the deviation that they have.
+/** \brief nurbs_surface_sections() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, what was not examined is undecided, and curves keep the deviation that they have.
  * \param[in] g,normal,n,offsets,tolerance as for nurbs_surface_sections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_sections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -5765,39 +5808,45 @@ NURBS_API nurbs_status nurbs_surface_sections_with(const nurbs *g, const double 
                                                    const nurbs_call_options *call, nurbs_meet **out);
 
 /** \name Kinds of contours
- * Of a surface S with N = S_u x S_v, a vector d and a number c: where f = 0. Where N is 0, at poles and singular points,
- * f is 0 for no other reason: collapsed sides are left out, others are nodes.
+ * For a surface S with N = S_u x S_v, a vector d and a number c: the curves where f = 0. Where N is 0, at
+ * poles and singular points, f is 0 for that reason alone: sides that collapse are left out, other such
+ * places are nodes.
  * @{ */
-#define NURBS_CONTOUR_SILHOUETTE 1  /**< f = N . d: what is seen as an outline along d */
-#define NURBS_CONTOUR_PERSPECTIVE 2 /**< f = N . (S - d): the outline that is seen from the point d */
+#define NURBS_CONTOUR_SILHOUETTE 1  /**< f = N . d: the outline seen along d */
+#define NURBS_CONTOUR_PERSPECTIVE 2 /**< f = N . (S - d): the outline seen from the point d */
 #define NURBS_CONTOUR_ISOPHOTE                                                                               \
-    3 /**< (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle */
-#define NURBS_CONTOUR_PARABOLIC 4 /**< f = K, the Gaussian curvature, but for a positive factor */
+    3 /**< (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: normals at one angle to d */
+#define NURBS_CONTOUR_PARABOLIC 4 /**< f = K, the Gaussian curvature, up to a positive factor */
 /** @} */
 
-/** \brief Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all, as curves in space and
- * in the parameter domain. f of the kinds is a polynomial on each Bezier piece, whose zeros are followed as
- * nurbs_surface_sections() does, with f > 0 on the left of branches. As f is no distance, zeros are told apart as far as
- * double precision allows: a saddle or a peak of f at 0 is a node TOUCH, and so is all of a surface on which f
- * vanishes, a cylinder seen along its axis. A crease at which f jumps from one sign to the other is no zero and not
- * told; branches end there. Costs: some ten microseconds a piece, a hundred for parabolic curves.
+/** \brief Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all.
+ *
+ * They are returned as curves in space and in the parameter domain. For each kind f is a polynomial on each
+ * Bezier piece, whose zeros are traced as by nurbs_surface_sections(), with f > 0 on the left of branches. As
+ * f is no distance, zeros are separated as far as double precision allows: a saddle or a peak of f at 0 is a
+ * node TOUCH, and so is all of a surface on which f vanishes, such as a cylinder seen along its axis. A
+ * crease at which f jumps from one sign to the other is no zero and is not reported; branches end there.
+ * Costs: some ten microseconds for each piece, a hundred for parabolic curves.
  * \param[in] g a surface of dimension 3.
  * \param[in] kind one of the NURBS_CONTOUR_ constants.
- * \param[in] d [3] or NULL: the direction of any length but 0, or the point; not used by parabolic curves.
- * \param[in] n number of cosines: those of isophotes; 0 for the other kinds, whose level is 0.
- * \param[in] cosines [n] or NULL: of the angle between N and d, in [-1, 1], in any order.
+ * \param[in] d [3] or NULL: the direction, of any length but 0, or the point; not used for parabolic curves.
+ * \param[in] n number of cosines for isophotes; 0 for the other kinds, which have one level, 0.
+ * \param[in] cosines [n] or NULL: cosines of the angle between N and d, in [-1, 1], in any order.
  * \param[in] tolerance > 0: the largest distance of the curves in space from the contour.
- * \param[out] out the new meet; branches in the order of the cosines.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE; _RULE if kind is none
- *   of the constants, _DEGREE if f has a degree above 2 NURBS_MAX_DEGREE (parabolic curves of degrees above 8), _COUNT if n < 0, or > 0 for a kind without cosines, _DIRECTION if d is needed and is not finite
- *   or is a direction of length 0, _FACTOR if a cosine is not in [-1, 1].
+ * \param[out] out the new meet; its branches are in the order of the cosines.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE; _RULE if
+ *   kind is none of the constants, _DEGREE if f has a degree above 2 NURBS_MAX_DEGREE (parabolic curves of
+ *   degrees above 8), _COUNT if n < 0, or > 0 for a kind without cosines, _DIRECTION if d is needed and is
+ *   not finite or is a direction of length 0, _FACTOR if a cosine is not in [-1, 1].
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_contours(const nurbs *g, int32_t kind, const double *d, int64_t n,
                                               const double *cosines, double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_surface_contours() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_surface_contours() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] g,kind,d,n,cosines,tolerance as for nurbs_surface_contours().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_contours(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -5806,43 +5855,51 @@ NURBS_API nurbs_status nurbs_surface_contours_with(const nurbs *g, int32_t kind,
                                                    const nurbs_call_options *call, nurbs_meet **out);
 
 /** \name Kinds of reflection lines
- * Of a surface S with N = S_u x S_v and a line of light through a along l: where f = 0, with m = (S - a) x l.
+ * For a surface S with N = S_u x S_v and a line of light through a along l: the curves where f = 0, with
+ * m = (S - a) x l.
  * @{ */
-#define NURBS_REFLECTION_HIGHLIGHT 1 /**< f = N . m: the normal's line meets the line of light */
+#define NURBS_REFLECTION_HIGHLIGHT 1 /**< f = N . m: the line along the normal meets the line of light */
 #define NURBS_REFLECTION_ALONG                                                                               \
     2 /**< f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it */
 #define NURBS_REFLECTION_FROM 3 /**< the same with v = S - eye: seen from the point eye */
 /** @} */
 
-/** \brief Lines of light that a surface mirrors, for looking at how fair it is: all of them, proven to be all, as
- * nurbs_surface_contours() finds contours. Seen along a direction or from a point they are reflection lines (R. Klass,
- * CAD 12 (1980)); where normals meet the line itself are highlight lines (K.-P. Beier & Y. Chen, CAD 26 (1994)), which
- * are the circular silhouettes around an axis: there rotation about the line moves the surface along itself. Lines are
- * meant with both of their directions, and mirrored ones too. Where the surface is only tangent continuous they have
- * kinks, and where it is only continuous they are broken. All of a surface of revolution about the line is one of its
- * highlight lines, a TOUCH. Costs: some ten microseconds a piece for highlight lines, a hundred for the others.
+/** \brief Reflection lines and highlight lines of a surface, which show how fair it is.
+ *
+ * They are the lines of light that the surface mirrors: all of them, proven to be all, found as
+ * nurbs_surface_contours() finds contours. Seen along a direction or from a point they are reflection lines
+ * (R. Klass, CAD 12 (1980)). Where the normals themselves meet the line of light they are highlight lines
+ * (K.-P. Beier & Y. Chen, CAD 26 (1994)), which are the circular silhouettes around that line: there a
+ * rotation about the line moves the surface along itself. Lines of light extend in both directions, and so do
+ * mirrored lines of sight. Where the surface is only tangent continuous the curves have kinks, and where it
+ * is only continuous they are broken. All of a surface of revolution about the line is one of its highlight
+ * lines, a node TOUCH. Costs: some ten microseconds for each piece for highlight lines, a hundred for the
+ * others.
  * \param[in] g a surface of dimension 3.
  * \param[in] kind one of the NURBS_REFLECTION_ constants.
- * \param[in] eye [3] or NULL: the direction of any length but 0, or the point; not used by highlight lines.
+ * \param[in] eye [3] or NULL: the direction, of any length but 0, or the point; not used for highlight lines.
  * \param[in] direction [3]: l, of any length but 0.
  * \param[in] n number of lines of light.
- * \param[in] points [n][3]: a of each.
- * \param[in] point_stride,point_component_stride distances of points and of coordinates in doubles; 0: packed.
+ * \param[in] points [n][3]: a of each line.
+ * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] tolerance > 0: the largest distance of the curves in space from the reflection line.
- * \param[out] out the new meet; branches in the order of the lines.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _TOLERANCE, _NOT_REPRESENTABLE; _RULE
- *   if kind is none of the constants, _DEGREE if f has a degree above 2 NURBS_MAX_DEGREE, _DIRECTION if the eye that is
- *   needed or the direction is not finite, or is a direction of length 0, _POINT_NOT_FINITE.
+ * \param[out] out the new meet; its branches are in the order of the lines.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _TOLERANCE,
+ *   _NOT_REPRESENTABLE; _RULE if kind is none of the constants, _DEGREE if f has a degree above 2
+ *   NURBS_MAX_DEGREE, _DIRECTION if the direction, or the eye where it is needed, is not finite, or is a
+ *   direction of length 0, _POINT_NOT_FINITE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_reflections(const nurbs *g, int32_t kind, const double *eye,
                                                  const double *direction, int64_t n, const double *points,
                                                  int64_t point_stride, int64_t point_component_stride,
                                                  double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_surface_reflections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_surface_reflections() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] g,kind,eye,direction,n,points as for nurbs_surface_reflections().
  * \param[in] point_stride,point_component_stride,tolerance as for nurbs_surface_reflections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_reflections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -5852,23 +5909,29 @@ NURBS_API nurbs_status nurbs_surface_reflections_with(const nurbs *g, int32_t ki
                                                       int64_t point_component_stride, double tolerance,
                                                       const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere, any quadric or
- * algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each Bezier piece, followed as by
+/** \brief Where an implicit polynomial f of space vanishes on a surface.
+ *
+ * So it finds where the surface meets a plane, a sphere, any quadric or algebraic surface: all curves, proven
+ * to be all. f(S(u, v)) is a polynomial on each Bezier piece, whose zeros are traced as by
  * nurbs_surface_contours(), with f > 0 on the left of branches.
  * \param[in] g a surface of dimension 3.
- * \param[in] degree of f, 1 to 8; times the degrees of the surface at most 2 NURBS_MAX_DEGREE.
- * \param[in] coefficients [M], M = (dim + degree)! / (dim! degree!), dim = 3, in the order of nurbs_curve_level().
- * \param[in] tolerance > 0: the largest distance of the curves in space from the set.
- * \param[out] out the new meet, all of it of level 0.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DEGREE, _TOLERANCE, _NOT_REPRESENTABLE; _POINT_NOT_FINITE if a
- *   coefficient is not finite, _DIRECTION if all but the last are 0.
+ * \param[in] degree the degree of f, 1 to 8; times the degrees of the surface it is at most 2
+ *   NURBS_MAX_DEGREE.
+ * \param[in] coefficients [M], M = (dim + degree)! / (dim! degree!), dim = 3, in the order of
+ *   nurbs_curve_level().
+ * \param[in] tolerance > 0: the largest distance of the curves in space from the set f = 0 on the surface.
+ * \param[out] out the new meet; all of it has level 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DEGREE, _TOLERANCE, _NOT_REPRESENTABLE;
+ *   _POINT_NOT_FINITE if a coefficient is not finite, _DIRECTION if all but the last are 0.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_level(const nurbs *g, int32_t degree, const double *coefficients,
                                            double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_surface_level() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_surface_level() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] g,degree,coefficients,tolerance as for nurbs_surface_level().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_level(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -5876,23 +5939,28 @@ NURBS_API nurbs_status nurbs_surface_level_with(const nurbs *g, int32_t degree, 
                                                 double tolerance, const nurbs_call_options *call,
                                                 nurbs_meet **out);
 
-/** \brief Level curves of a scalar spline over a surface: where a temperature, a pressure or a thickness has given values,
- * all of them, proven to be all. Followed as by nurbs_surface_contours(), with scalar > value on the left of branches.
+/** \brief Level curves of a scalar spline over a surface, such as a temperature, a pressure or a thickness.
+ *
+ * These are the curves on which the scalar has given values: all of them, proven to be all. They are traced
+ * as by nurbs_surface_contours(), with scalar > value on the left of branches.
  * \param[in] g a surface of dimension 3.
- * \param[in] scalar a spline of dimension 1 with the same domain, periodic on the same axes; degrees and knots are its own.
+ * \param[in] scalar a spline of dimension 1 with the same domain, periodic on the same axes; its degrees and
+ *   knots may differ.
  * \param[in] n number of values.
  * \param[in] values [n] in any order.
  * \param[in] tolerance > 0: the largest distance of the curves in space from the level.
- * \param[out] out the new meet; branches in the order of the values.
+ * \param[out] out the new meet; its branches are in the order of the values.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _COUNT, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE;
  *   _INCOMPATIBLE if domains or periodic axes differ, _POINT_NOT_FINITE if a value is not finite.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_level_curves(const nurbs *g, const nurbs *scalar, int64_t n,
                                                   const double *values, double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_surface_level_curves() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_surface_level_curves() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] g,scalar,n,values,tolerance as for nurbs_surface_level_curves().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_level_curves(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -5900,111 +5968,135 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
                                                        const double *values, double tolerance,
                                                        const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief Where two surfaces meet in curves: all of them, proven to be all. Pairs of parts of Bezier pieces are halved until, with
- * F = A(u, v) - B(s, t) and M the inverse of its derivative without one column k, the largest row sum of |I - M F'| over
- * both parts is below 1: then the common points in them are a graph over parameter k, of which neither a loop nor an end
- * can be inside, and its ends on the sides of the box are those of its neighbours. So a loop of any size is found as long as
- * double precision tells both surfaces apart in it. Every branch but those of the kind NURBS_BRANCH_TOUCH, which
- * run either way, runs along N_b x N_a with N = S_u x S_v: in the parameter domain of a the side of b to which its normals
- * point is on the left. Branches close, or end in nodes
- * - BORDER: one of both surfaces ends or jumps there.
- * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
- * - TOUCH: all that both have in the ranges of the node lies between two planes no farther apart than the tolerance, or in a
- *   box no larger, and branches are not told apart in it: surfaces touch in a point, and no branch ends there; branches cross
- *   in a point in which the planes of tangents are one, and four ends are there; a loop, or a way between branches, that double
- *   precision does not tell from these; a pole.
- * - UNDECIDED: a pair of parts in which it is left open what there is: they touch, or all but do, in regions that are no
- *   overlaps, or along curves across which their distance does not bend all along; a derivative vanishes; or the limit of work
- *   came first. Parts that hang together are one node. What takes more than its share of the work, of all pairs of Bezier
- *   pieces that meet, is left open there, and nothing elsewhere.
+/** \brief Where two surfaces meet in curves: all of them, proven to be all.
  *
- * Branches of the kind NURBS_BRANCH_TOUCH (nurbs_meet_kinds()) are curves along which surfaces touch: in the parts around,
- * the second derivative of the height of one over the other across the curve is proven to have one sign, so that in each place
- * along it this has one least (or largest) value; it is 0 to rounding in as many places as it takes to bound it by the
- * tolerance between them. What both have in common there is no farther from the curve than sqrt(2 tolerance / that
- * derivative), and branches that double precision does not tell from it are not told apart. The deviation is that from both
- * surfaces.
+ * Let F = A(u, v) - B(s, t), and let M be the inverse of its derivative without one column k. Pairs of parts
+ * of Bezier pieces are halved until the largest row sum of |I - M F'| over both parts is below 1. Then the
+ * common points in them are a graph over parameter k, inside which there can be neither a loop nor an end,
+ * and the ends of the graph on the sides of the box are those of its neighbours. So a loop of any size is
+ * found as long as double precision tells the two surfaces apart in it.
  *
- * A region in which both surfaces are one, to within the tolerance, is an overlap: parts of one plane, one cylinder or one
- * spline, whatever their knots, degrees and parameters. Each has a level of its own, 1, 2, ..., and on it
- * - one node OVERLAP: its params are a place inside on a, its second ones the place beside it on b, its ranges the boxes of
- *   the region in both domains.
- * - its boundary, branches of the kind NURBS_BRANCH_OVERLAP: parts of borders of a that run on b, and parts of borders of b
- *   that run on a; what is both is told once. They are closed loops, one around the region and one around each hole, with
- *   the region on the left in the domain of a, and in that of b where normals agree, on the right where they are
- *   opposite. Each branch ends in the node BORDER in which the next one begins, or, where a surface closes on an axis that is not
- *   periodic, in a node SEAM. Sides along which a surface closes, and poles, bound nothing: all of a closed surface has no
- *   boundary.
+ * Every branch except those of kind NURBS_BRANCH_TOUCH, which run either way, runs along N_b x N_a with
+ * N = S_u x S_v: in the parameter domain of a, the side of b to which its normals point is on the left.
+ * Branches close, or end in nodes
+ * - BORDER: one of the surfaces ends or jumps there.
+ * - SEAM: one of them closes there on an axis that is not periodic: the branch continues beyond.
+ * - TOUCH: all that the surfaces have in the ranges of the node lies between two planes no farther apart than
+ *   the tolerance, or in a box no larger, and branches are not separated in it. There the surfaces touch in a
+ *   point, and no branch ends; or branches cross in a point at which the tangent planes coincide, and four
+ *   ends are there; or there is a loop, or a connection between branches, that double precision does not tell
+ *   from these; or there is a pole.
+ * - UNDECIDED: a pair of parts in which it is left open what there is. The surfaces touch, or nearly touch,
+ *   in regions that are no overlaps, or along curves across which the second derivative of their distance is
+ *   not of one sign all along; or a derivative vanishes; or the limit of work came first. Connected parts are
+ *   one node. A pair of Bezier pieces that takes more than its share of the work, of all pairs that meet, is
+ *   left open there; others are not affected.
  *
- * Proven of a region is that each place of a in it is no farther than the tolerance from b. All places at which borders lie
- * within the tolerance of the other surface are known (nurbs_curve_surface_intersections()), so that it goes on until one
- * of the surfaces ends; it is cut into parts, of each of which the map to b is a polynomial in the parameters of
- * a, corrected by a contraction as above, and the distance over it is bounded by samples of a polynomial of known degree. What
- * both have in common in a region is not told otherwise, nor is whether more of b touches a there. If one of these proofs
- * fails, as where surfaces part by more than the tolerance inside of their borders, or it is left open what a border does, there
- * is no region but a node UNDECIDED. Where surfaces share only an edge there is none, and surfaces that double precision
- * tells apart by less than the tolerance have nothing in common.
+ * Branches of kind NURBS_BRANCH_TOUCH (nurbs_meet_kinds()) are curves along which the surfaces touch. In the
+ * parts around such a curve, the second derivative across it of the height of one surface over the other is
+ * proven to have one sign, so that at each place along the curve the height has exactly one least (or
+ * largest) value. This value is 0 to rounding in as many places as it takes to bound it by the tolerance
+ * between them. What the surfaces have in common there is no farther from the curve than
+ * sqrt(2 tolerance / that derivative), and branches that double precision does not tell from the curve are
+ * not separated from it. The deviation is that from both surfaces.
  *
- * A kind that a caller does not know should be taken as UNDECIDED: more will be told of how surfaces touch.
+ * A region in which both surfaces coincide to within the tolerance is an overlap: parts of one plane, one
+ * cylinder or one spline, whatever their knots, degrees and parametrizations. Each overlap has a level of its
+ * own, 1, 2, ..., and on it
+ * - one node OVERLAP: its params are a place inside on a, its second ones (nurbs_meet_nodes_second()) the
+ *   place beside it on b, and its ranges the boxes of the region in both domains.
+ * - its boundary, in branches of kind NURBS_BRANCH_OVERLAP: the parts of borders of a that run on b, and the
+ *   parts of borders of b that run on a; what is both is reported once. They form closed loops, one around
+ *   the region and one around each hole. In the domain of a the region is on their left; in the domain of b
+ *   it is on their left where the normals agree, and on their right where they are opposite. Each branch ends
+ *   in the node BORDER in which the next one begins or, where a surface closes on an axis that is not
+ *   periodic, in a node SEAM. Sides along which a surface closes, and poles, bound nothing: all of a closed
+ *   surface has no boundary.
  *
- * Outside of these the branches are all there is, to within their deviations. Branches along borders of pieces are told once, and
- * curves of their domains stay in these. Only curves are told: where just
- * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds for each pair
- * of pieces that meet, and for each piece of a curve; about a millisecond for each place in which they touch. Where surfaces
- * are one in a region, it is the number of pairs of parts within the tolerance that ends the search in it, after some ten
- * milliseconds; proofs take up to a millisecond for each piece. Where call.work gives no limit there is one of about a
- * second, and more for many control points.
+ * Of a region it is proven that each place of a in it is no farther than the tolerance from b. All places at
+ * which borders lie within the tolerance of the other surface are known
+ * (nurbs_curve_surface_intersections()), so that the region extends until one of the surfaces ends. It is
+ * divided into parts on each of which the map to b is a polynomial in the parameters of a, corrected by a
+ * contraction as above, and the distance is bounded by samples of a polynomial of known degree. Nothing else
+ * is reported of what the surfaces have in common in a region, nor whether more of b touches a there. If one
+ * of these proofs fails, as where the surfaces part by more than the tolerance inside their borders, or if it
+ * is left open what a border does, there is no region but a node UNDECIDED. Surfaces that share only an edge
+ * have no region, and surfaces that double precision tells apart by less than the tolerance have nothing in
+ * common.
+ *
+ * A caller should treat a kind that it does not know as UNDECIDED: later versions may say more about how
+ * surfaces touch.
+ *
+ * Outside these nodes the branches are all there is, to within their deviations. Branches along borders of
+ * pieces are reported once, and curves in the domains stay inside these. Only curves are reported: where just
+ * corners or borders touch, to rounding, there may be a short branch or none. Costs: about 10 microseconds
+ * for each pair of pieces that meet, and for each piece of a curve; about a millisecond for each place in
+ * which the surfaces touch. Where the surfaces coincide in a region, the number of pairs of parts within the
+ * tolerance ends the search in it, after some ten milliseconds; the proofs take up to a millisecond for each
+ * piece. If call.work gives no limit there is one of about a second, and more for many control points.
  * \param[in] a,b surfaces of dimension 3.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points.
- * \param[out] out the new meet; all of it but overlaps has level 0. nurbs_meet_branch() gives curves in the domain of a,
- *   nurbs_meet_branch_second() those in the domain of b.
+ * \param[out] out the new meet; all of it except overlaps has level 0. nurbs_meet_branch() returns curves in
+ *   the domain of a, nurbs_meet_branch_second() those in the domain of b.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_intersections(const nurbs *a, const nurbs *b, double tolerance,
                                                    nurbs_meet **out);
 
-/** \brief nurbs_surface_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_surface_intersections() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] a,b,tolerance as for nurbs_surface_intersections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_intersections_with(const nurbs *a, const nurbs *b, double tolerance,
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief Where a surface meets itself: all curves along which it takes points twice, or the proof that there are none. As
- * nurbs_surface_intersections() of its parts, but for parts side by side, which have their common side or corner. Two places x, y of a
- * rectangle of the domain are proven to be different points: S(x) - S(y) = P (x - y)_0 + Q (x - y)_1, where P and Q are
- * means of S_u and S_v on the way, and if, as some plane sees them, no direction in the cone of all S_u of the rectangle is one in
- * the cone of all S_v, or opposite to it, P and Q are linearly independent. Rectangles may hold knots, and edges that are less than
- * folded flat. Around a side that is one point, as at a pole, polar coordinates and S_uv take the place of those of the plane.
- * Rectangles of which that is not so are halved until they are or have nothing in common.
+/** \brief Where a surface meets itself: all curves of double points, or the proof that there are none.
  *
- * Places that are one, to rounding, where the surface closes along an axis, and on a side that is one point, are no meeting. Where
- * sides meet otherwise, as those of a Moebius strip do, the surface meets itself.
+ * Parts of the surface are compared as by nurbs_surface_intersections(), except for parts side by side, which
+ * share a side or a corner. For two places x, y of a rectangle of the domain, S(x) - S(y) = P (x - y)_0 +
+ * Q (x - y)_1, where P and Q are the means of S_u and S_v along the segment between them. If, as seen in some
+ * plane, no direction in the cone of all S_u of the rectangle is equal or opposite to one in the cone of all
+ * S_v, then P and Q are linearly independent, and S(x) and S(y) are proven to be different points. The
+ * rectangle may contain knots, and edges that are less than folded flat. Around a side that is one point, as
+ * at a pole, polar coordinates take the place of those of the plane, and S_uv that of the derivative that
+ * vanishes there. Rectangles for which this does not hold are halved until it does, or until they have
+ * nothing in common.
+ *
+ * Places that are one, to rounding, because the surface closes along an axis, or because they are on a side
+ * that is one point, are not reported. Where sides meet otherwise, as those of a Moebius strip do, the
+ * surface meets itself.
  *
  * Branches and nodes are those of nurbs_surface_intersections() with the surface as both a and b, except that
- * - each is told once, with its two places in either order. A branch along which these change their order, so that its curve in
- *   the domain closes where that in space has gone round twice, is told as this, twice as long.
- * - TOUCH: also a part, between two such planes and in a box of 16 times the root of the tolerance times the size of the surface, in
- *   which both places of a branch become one, such as the pinch point of a Whitney umbrella; or all of which is one point, as that of
- *   the axis through which a profile turns.
- * - UNDECIDED: also where the surface turns back along a curve, a cuspidal edge or an edge that is folded flat, and parts that have no
- *   area; and regions in which it lies on itself, since there are no branches OVERLAP.
+ * - each is reported once, with its two places in either order. A branch along which the two places exchange
+ *   their order, so that its curve in the domain closes only after that in space has gone round twice, is
+ *   reported as such, twice as long.
+ * - TOUCH: also a part, between two such planes and in a box of size 16 sqrt(tolerance * size of the
+ *   surface), in which both places of a branch become one, such as the pinch point of a Whitney umbrella; or
+ *   all of which is one point, such as the point at which a revolved profile passes through its axis.
+ * - UNDECIDED: also where the surface turns back along a curve (a cuspidal edge, or an edge that is folded
+ *   flat), parts that have no area, and regions in which the surface lies on itself, since there are no
+ *   branches OVERLAP.
  *
- * With complete 1 and no branches and nodes the surface is proven to be simple: it has no self-intersections. Costs: some
- * microseconds for each piece where that is so, and what nurbs_surface_intersections() costs, twice, elsewhere. Of a face that is what lies
- * in it of the meet of its surface: nurbs_meet_trim() and nurbs_meet_trim_second().
+ * If complete is 1 and there are no branches and no nodes, the surface is proven to be simple: it has no
+ * self-intersections. Costs: some microseconds for each piece where that is so, and elsewhere twice what
+ * nurbs_surface_intersections() costs. For a face, take what lies in it of the meet of its surface:
+ * nurbs_meet_trim() and nurbs_meet_trim_second().
  * \param[in] g a surface of dimension 3.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points.
- * \param[out] out the new meet of two surfaces, both of which are g, all of it of level 0.
+ * \param[out] out the new meet of two surfaces, both of which are g; all of it has level 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_self_intersections(const nurbs *g, double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_surface_self_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_surface_self_intersections() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] g,tolerance as for nurbs_surface_self_intersections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_self_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -6012,48 +6104,57 @@ NURBS_API nurbs_status nurbs_surface_self_intersections_with(const nurbs *g, dou
                                                              const nurbs_call_options *call,
                                                              nurbs_meet **out);
 
-/** \brief Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the loops
- * of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they share, which have one key
- * (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in their edges. Each such edge is a branch EDGE,
- * or CONTACT if at one of 33 places along it the sine of the angle of the tangent planes is at most 1/256
- * (nurbs_meet_kinds()). Its curve in space is the edge itself, with its degree and weights, and those in the domains run
- * over the same parameters, on axes that close beyond the domain, too, as curves of loops may; its deviation is how far
- * all three are proven to be apart. It ends in nodes BORDER, or, if it closes, in two nodes SEAM.
+/** \brief Where two faces meet: in curves, in regions, and in the edges that they share.
  *
- * What both surfaces have within a room of a shared edge is that edge, and not told again: 2 (d_a + d_b + tolerance) / s,
- * d how far faces are off the edge (nurbs_face_deviation()), s the least sine, or 1/256 if that is more; what division
- * makes larger than a 16th of the size of the edge is no more than that. So is what begins within a room of the edge
- * and is no longer than that. What leaves an edge otherwise begins in a node EDGE. For this surfaces are continued beyond the
- * ends of their domains, where borders do cross. Faces that are smooth at a shared edge have a node UNDECIDED there in general,
- * as surfaces that touch.
+ * The answer is what their surfaces have in common (nurbs_surface_intersections()) inside the loops of both
+ * faces, cut as by nurbs_meet_trim() and nurbs_meet_trim_second(), and the edges that the faces share: those
+ * that have one key (nurbs_face_edge()) and lie in one place. So neighbours in a model meet in their edges.
+ * Each shared edge is a branch EDGE, or CONTACT if at one of 33 places along it the sine of the angle between
+ * the tangent planes is at most 1/256 (nurbs_meet_kinds()). Its curve in space is the edge itself, with its
+ * degree and weights. Its curves in the domains run over the same parameters; on axes that close they may run
+ * beyond the domain, as curves of loops may. Its deviation is a proven bound of how far all three curves are
+ * apart. It ends in nodes BORDER or, if it closes, in two nodes SEAM.
  *
- * Of a region in which the surfaces of both are one (nurbs_surface_intersections()) that part is told which is inside of the
- * loops of both: each piece of it has a level of its own, 1, 2, ..., a node OVERLAP, and a boundary of branches OVERLAP,
- * parts of curves of either face, as such regions of surfaces have; none of it is told if nothing is inside of both. For
- * this the part of b in the region is cut out in the domain of b, its border is carried over to that of a along the region,
- * and what a has inside of it is cut out there, as nurbs_region_combine() does: what of both is no farther apart than the
- * largest of the tolerance and those of the faces, as a share of the size of the surface, is one, so that sides of both that
- * run along each other leave no slivers. Where they do so on opposite sides, there is no region but a branch EDGE, which
- * runs with the loop of a and ends in nodes BORDER; where faces touch in a corner alone, nothing. Deviations of these
- * branches bound how far both surfaces over the curves in the domains are from the curve in space, INFINITY where that is
- * not proven. Where any of this would have to be decided by rounding, or the limit of work comes first, a node UNDECIDED is
- * left.
+ * What the surfaces have in common near a shared edge is that edge, and is not reported again. Near means
+ * within 2 (d_a + d_b + tolerance) / s, where d_a and d_b are how far the faces are off the edge
+ * (nurbs_face_deviation()), and s is the least of these sines, but no less than 1/256; the division by s does
+ * not enlarge this distance beyond 1/16 of the size of the edge. A curve that begins within this distance of
+ * the edge, and is no longer than it, is left out, too. Any other curve that leaves the edge begins in a node
+ * EDGE. For this the surfaces are continued beyond the ends of their domains, where borders do cross. Faces
+ * that are smooth at a shared edge generally have a node UNDECIDED there, as surfaces that touch have.
  *
- * If it is left open what faces without shared edges have in common, they are met once more on surfaces continued beyond the
- * ends of their domains, for patches of one surface side by side; what is complete there is the answer. Of faces with shared
- * edges regions are looked for only where the surfaces, of 64 pieces at most, lie on each other beside an edge CONTACT:
- * parts of one plane or one cylinder that are neighbours so have nothing in common but that edge.
+ * Where the two surfaces coincide in a region (nurbs_surface_intersections()), the part of it inside the
+ * loops of both faces is reported, and nothing if there is no such part. Each connected piece has a level of
+ * its own, 1, 2, ..., with a node OVERLAP and a boundary of branches OVERLAP, parts of curves of either face,
+ * as regions of surfaces have. To find it, the part of b in the region is cut out in the domain of b, its
+ * border is carried over to the domain of a along the region, and what a has inside that border is cut out
+ * there, as nurbs_region_combine() does. In this, places no farther apart than the largest of the tolerance
+ * and the tolerances of the faces are one, so that sides of both faces that run along each other leave no
+ * slivers; in a domain, this distance is the same share of the width of the domain as it is of the size of
+ * the surface. Where such sides run along each other with the faces on opposite sides, there is no region but
+ * a branch EDGE, which runs with the loop of a and ends in nodes BORDER; where faces touch only in a corner,
+ * nothing is reported. The deviations of these branches bound how far both surfaces over the curves in the
+ * domains are from the curve in space; they are INFINITY where that is not proven. Where rounding would have
+ * to decide any of this, or the limit of work comes first, a node UNDECIDED is left.
+ *
+ * If it is left open what faces without shared edges have in common, they are intersected once more on
+ * surfaces continued beyond the ends of their domains, for patches of one surface side by side; if that is
+ * complete, it is the answer. For faces with shared edges, regions are looked for only where the surfaces, of
+ * at most 64 pieces each, lie on each other beside an edge CONTACT. Neighbours that are parts of one plane or
+ * one cylinder thus have nothing in common but that edge.
  * \param[in] a,b faces in space.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points.
- * \param[out] out the new meet, all of it but overlaps of level 0, on the surfaces of a and of b.
+ * \param[out] out the new meet, on the surfaces of a and of b; all of it except overlaps has level 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE, _NOT_CONVERGED.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_intersections(const nurbs_face *a, const nurbs_face *b, double tolerance,
                                                 nurbs_meet **out);
 
-/** \brief nurbs_face_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_face_intersections() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] a,b,tolerance as for nurbs_face_intersections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_face_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -6061,54 +6162,66 @@ NURBS_API nurbs_status nurbs_face_intersections_with(const nurbs_face *a, const 
                                                      double tolerance, const nurbs_call_options *call,
                                                      nurbs_meet **out);
 
-/** \brief A curve projected onto a surface, along a direction d or, without one, normally: all curves of the projected points,
- * proven to be all.
+/** \brief A curve projected onto a surface, along a direction d or along the normals of the surface.
  *
- * Along d these are the common curves of the surface and of the ruled surface (t, h) -> C(t) + h d / |d| of the lines through the
- * points of C, whose control points are those of C, each rounded once, for all h that lead into the box of the surface; they are
- * found as nurbs_surface_intersections() does, on both sides of C and on all sheets of the surface. Normally these are the
- * curves of all orthogonal feet, near ones and far ones: of all (t, u, v) with (S(u, v) - C(t)) . S_u = 0 and
- * (S(u, v) - C(t)) . S_v = 0, so that S = C + h n, with n the unit vector along S_u x S_v. Where C is on the surface h is 0.
- * A foot at which the distance is the least of a place can be at a border, a crease or a pole instead: these are none, and
- * nurbs_closest_points() finds them.
+ * The answer is all curves of projected points, proven to be all. With d, they are the common curves of the
+ * surface and of the ruled surface (t, h) -> C(t) + h d / |d| of the lines through the points of C. The
+ * control points of the ruled surface are those of C moved along d, each rounded once; h covers all values
+ * that lead into the box of the surface. The curves are found as by nurbs_surface_intersections(), on both
+ * sides of C and on all sheets of the surface.
  *
- * Along each branch t rises: nurbs_meet_branch_second() gives the curve of (t, h), whose first coordinate at its ends is the range
- * of t that is projected, and whose second one is the signed distance from C, along d or n. Branches close, or end in nodes
- * - BORDER: the curve, or the surface, ends or jumps there, or feet come to a crease of the surface, at which the tangent planes
- *   of both sides differ.
- * - SEAM: one of them closes there on an axis that is not periodic: the branch goes on beyond.
- * - FOLD: t turns there, since d is in the tangent plane of the surface, or since C(t) is a centre of curvature of the surface in
- *   the foot: the branch goes on in another one, on the sheet of the surface behind the fold, which ends there as well or begins
- *   there. Turns of t along no more of the curve, across d, than 4 deviations of the branch are none.
- * - TOUCH, of feet: branches cross or end in a part that is no larger than the tolerance, on the surface and on the curve.
- * - UNDECIDED: where it is left open what there is: the surface touches the lines along a curve, or holds one of them; feet fill
- *   a region, as for a curve along the axis of a cylinder or through the centre of a sphere; branches of feet meet, at a pole or
- *   in a plane of symmetry, in a part that rounding makes larger than the tolerance; a derivative vanishes; or the limit of
- *   work came first.
+ * Without d, they are the curves of all orthogonal feet, near ones and far ones: of all (t, u, v) with
+ * (S(u, v) - C(t)) . S_u = 0 and (S(u, v) - C(t)) . S_v = 0, so that S = C + h n, with n the unit vector
+ * along S_u x S_v. Where C is on the surface, h is 0. A local minimum of the distance at a border, a crease
+ * or a pole is no such foot; nurbs_closest_points() finds those.
  *
- * Outside of these the branches are all there is, to within their deviations. Where the curve runs along d, or along the normal,
- * they stay in a point, and knots are next to each other. Along a side at which S_u or S_v vanishes they are those of the tangent
- * plane there. Of an axis of degree 0 of the surface all is left open.
- * \param[in] g a surface of dimension 3; normally of degrees that are at most 31, or 20 if it has weights.
+ * Along each branch t rises. nurbs_meet_branch_second() returns the curve of (t, h): its first coordinate at
+ * the ends is the range of t that is projected, and its second coordinate is the signed distance from C,
+ * along d or n. Branches close, or end in nodes
+ * - BORDER: the curve, or the surface, ends or jumps there, or feet come to a crease of the surface, at which
+ *   the tangent planes of both sides differ.
+ * - SEAM: one of them closes there on an axis that is not periodic: the branch continues beyond.
+ * - FOLD: t turns there, since d is in the tangent plane of the surface, or since C(t) is a centre of
+ *   curvature of the surface at the foot. Another branch continues on the sheet of the surface behind the
+ *   fold; both end there, or both begin there. A turn of t counts only if the curve moves by more than 4
+ *   deviations of the branch, measured across d if there is one.
+ * - TOUCH, for feet: branches cross or end in a part that is no larger than the tolerance, on the surface and
+ *   on the curve.
+ * - UNDECIDED: it is left open what there is. The surface touches the lines along a curve, or contains one of
+ *   them; or feet fill a region, as for a curve along the axis of a cylinder or through the centre of a
+ *   sphere; or branches of feet meet, at a pole or in a plane of symmetry, in a part that rounding makes
+ *   larger than the tolerance; or a derivative vanishes; or the limit of work came first.
+ *
+ * Outside these nodes the branches are all there is, to within their deviations. Where the curve runs along
+ * d, or along the normal, a branch stays at one point and its knots are next to each other. Along a side at
+ * which S_u or S_v vanishes, feet are those of the tangent plane there. If an axis of the surface has degree
+ * 0, everything is left open.
+ * \param[in] g a surface of dimension 3. Without a direction its degrees are at most 31, or 20 if it has
+ *   weights.
  * \param[in] curve a curve of dimension 3.
- * \param[in] direction [3] or NULL: d, of any length but 0; what is projected against it has h < 0. NULL: normally.
+ * \param[in] direction [3] or NULL for the normals: d, of any length but 0; what is projected against it has
+ *   h < 0.
  * \param[in] tolerance > 0: the largest distance of the curves from the projection.
- * \param[out] out the new meet; all of it has level 0. nurbs_meet_branch() gives curves in space and in the domain of g.
- *   Deviations bound the distance of each of them from the common curves, or from the feet, and how far C(t) and h are from
- *   those of these, so that at equal parameters the surface is within two of them of C(t) + h d / |d|, and normally |h| within
- *   three of the distance of S(u, v) and C(t). Nothing bounds h where n turns over, as it may where S_u x S_v is 0.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DIRECTION, _TOLERANCE; _DEGREE, normally; _NOT_REPRESENTABLE if
- *   lines to the box of the surface overflow, or weights cannot be shown to be positive.
+ * \param[out] out the new meet; all of it has level 0. nurbs_meet_branch() returns curves in space and in the
+ *   domain of g. Deviations bound the distance of each of these from the common curves, or from the feet, and
+ *   how far C(t) and h are from theirs. So at equal parameters the surface is within two deviations of
+ *   C(t) + h d / |d|; without d, |h| is within three deviations of the distance between S(u, v) and C(t).
+ *   Nothing bounds h where n flips, as it may where S_u x S_v is 0.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _DIRECTION, _TOLERANCE; _DEGREE, along the normals;
+ *   _NOT_REPRESENTABLE if lines to the box of the surface overflow, or weights cannot be shown to be
+ *   positive.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_project_curve(const nurbs *g, const nurbs *curve,
                                                    const double *direction, double tolerance,
                                                    nurbs_meet **out);
 
-/** \brief nurbs_surface_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_surface_project_curve() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] g,curve as for nurbs_surface_project_curve().
  * \param[in] direction [3] or NULL: as for nurbs_surface_project_curve().
  * \param[in] tolerance as for nurbs_surface_project_curve().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_surface_project_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -6116,8 +6229,10 @@ NURBS_API nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nu
                                                         const double *direction, double tolerance,
                                                         const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief A curve projected onto a face, along a direction or normally: what of nurbs_surface_project_curve() on its surface is
- * inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face they end in nodes BORDER.
+/** \brief A curve projected onto a face, along a direction or along the normals of its surface.
+ *
+ * The answer is what lies inside the loops of the face of nurbs_surface_project_curve() on its surface,
+ * trimmed as by nurbs_meet_trim(). Branches that leave the face end in nodes BORDER.
  * \param[in] face a face.
  * \param[in] curve as for nurbs_surface_project_curve().
  * \param[in] direction [3] or NULL: as for nurbs_surface_project_curve().
@@ -6128,11 +6243,13 @@ NURBS_API nurbs_status nurbs_surface_project_curve_with(const nurbs *g, const nu
 NURBS_API nurbs_status nurbs_face_project_curve(const nurbs_face *face, const nurbs *curve,
                                                 const double *direction, double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_face_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
+/** \brief nurbs_face_project_curve() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_surface_sections_with().
  * \param[in] face,curve as for nurbs_face_project_curve().
  * \param[in] direction [3] or NULL: as for nurbs_face_project_curve().
  * \param[in] tolerance as for nurbs_face_project_curve().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_face_project_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -6152,11 +6269,11 @@ NURBS_API nurbs_status nurbs_meet_clone(const nurbs_meet *meet, nurbs_meet **out
  * \since 1.1 */
 NURBS_API void nurbs_meet_destroy(nurbs_meet *meet);
 
-/** \brief How much a meet holds.
+/** \brief The numbers of branches and nodes of a meet, and whether it is complete.
  * \param[in] meet a meet.
  * \param[out] branches or NULL: number of branches.
  * \param[out] nodes or NULL: number of nodes.
- * \param[out] complete or NULL: 1 if it is proven that there is nothing else, no node being undecided; else 0.
+ * \param[out] complete or NULL: 1 if it is proven that there is nothing else, with no node undecided; else 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branches, int64_t *nodes,
@@ -6165,13 +6282,16 @@ NURBS_API nurbs_status nurbs_meet_counts(const nurbs_meet *meet, int64_t *branch
 /** \brief What the branches of a meet belong to, and where they end.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of branches.
- * \param[out] levels [cap] or NULL: index of the plane, 0-based; of overlaps the number of the region, from 1.
- * \param[out] end_nodes [cap][2] or NULL: the nodes at which each begins and ends, 0-based; -1: it closes.
- * \param[out] loops [cap] or NULL: the closed way that it is a part of, or all of, 0-based; those of one way follow
- *   each other in its direction, from one seam to the next. -1: none.
- * \param[out] deviations [cap] or NULL: a proven bound of the distance, in space, of the curve in space from the
- *   section, and of the surface over the curve in the parameter domain from it; of two surfaces over both. Larger than the tolerance only where
- *   rounding or the limit of work prevents it; INFINITY: nothing is proven.
+ * \param[out] levels [cap] or NULL: index of the plane, cosine, line of light or value, 0-based, and 0 where
+ *   there are none of these; for overlaps the number of the region, from 1.
+ * \param[out] end_nodes [cap][2] or NULL: the nodes at which each branch begins and ends, 0-based; -1: it
+ *   closes.
+ * \param[out] loops [cap] or NULL: the closed way of which the branch is a part, or all, 0-based; -1: none.
+ *   The branches of one way follow each other in its direction, from one seam to the next.
+ * \param[out] deviations [cap] or NULL: a proven bound of the distance from the exact section, in space, of
+ *   the curve in space and of the image of the curve in the parameter domain; of two surfaces, of both
+ *   images. It is larger than the tolerance only where rounding or the limit of work prevents a better one;
+ *   INFINITY: nothing is proven.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -6181,88 +6301,98 @@ NURBS_API nurbs_status nurbs_meet_branches(const nurbs_meet *meet, int64_t cap, 
 
 /** \name Kinds of branches
  * @{ */
-#define NURBS_BRANCH_CROSSING 1 /**< what surfaces, or a surface and a plane, have in common */
+#define NURBS_BRANCH_CROSSING 1 /**< a curve that surfaces, or a surface and a plane, have in common */
 #define NURBS_BRANCH_EDGE 2     /**< an edge that two faces share */
 #define NURBS_BRANCH_CONTACT                                                                                 \
-    3                        /**< one at which both faces have the same tangent planes, somewhere at least */
-#define NURBS_BRANCH_TOUCH 4 /**< a curve along which surfaces have the same tangent planes: they touch */
-#define NURBS_BRANCH_OVERLAP 5 /**< a part of the boundary of a region in which surfaces are one */
+    3 /**< an edge that two faces share, with the same tangent planes somewhere at least */
+#define NURBS_BRANCH_TOUCH 4   /**< a curve along which surfaces touch: they have the same tangent planes */
+#define NURBS_BRANCH_OVERLAP 5 /**< a part of the boundary of a region in which surfaces coincide */
 /** @} */
 
-/** \brief What the branches of a meet are.
+/** \brief What kind each branch of a meet is.
  * \param[in] meet a meet.
  * \param[in] cap length of the output: 0, or at least the number of branches.
- * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants each: EDGE and CONTACT in meets of faces and
- *   models only, TOUCH wherever two surfaces are met, trimmed or not, OVERLAP where surfaces, faces or models are met.
+ * \param[out] kinds [cap] or NULL: one of the NURBS_BRANCH_ constants for each: EDGE and CONTACT only in
+ *   meets of faces and models, TOUCH in all meets of two surfaces, trimmed or not, OVERLAP in meets of
+ *   surfaces, faces or models.
  * \param[out] count or NULL: number of branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_kinds(const nurbs_meet *meet, int64_t cap, int32_t *kinds, int64_t *count);
 
-/** \brief A branch of a meet: cubic curves with common knots, whose parameter is about the length in space. Those of edges that
- * faces share have the degree and the parameters of these.
+/** \brief A branch of a meet, as curves in space and in the parameter domain.
+ *
+ * The curves are cubic and have common knots; their parameter is about the length in space. Branches of edges
+ * that faces share have the degree and the parameters of these edges.
  * \param[in] meet a meet.
  * \param[in] index 0-based.
  * \param[out] space the curve in space.
- * \param[out] on_surface the curve in the parameter domain, of dimension 2, normal . S > offset on its left.
- *   Its control points are in the domain; on a periodic axis it may run into neighbouring periods.
+ * \param[out] on_surface the curve in the parameter domain, of dimension 2, with normal . S > offset on its
+ *   left. Its control points are in the domain; on a periodic axis it may run into neighbouring periods.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_branch(const nurbs_meet *meet, int64_t index, nurbs **space,
                                          nurbs **on_surface);
 
-/** \brief The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
- * \param[in] meet of two surfaces, faces or models, or of a projection.
+/** \brief The curve of a branch on the second of two surfaces; in a projection, the curve of (t, h).
+ * \param[in] meet a meet of two surfaces, faces or models, or of a projection.
  * \param[in] index 0-based.
- * \param[out] on_second the curve in the parameter domain of the second surface, with the knots of those of
- *   nurbs_meet_branch(). Its control points are in the domain; on a periodic axis it may run into neighbouring periods.
+ * \param[out] on_second the curve in the parameter domain of the second surface, with the knots of the curves
+ *   of nurbs_meet_branch(). Its control points are in the domain; on a periodic axis it may run into
+ *   neighbouring periods.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX; _INCOMPATIBLE if the meet is of one surface.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_branch_second(const nurbs_meet *meet, int64_t index, nurbs **on_second);
 
-/** \brief The nodes of a meet: where branches end, and where there may be more than they tell.
+/** \brief The nodes of a meet: where branches end, and where something is not resolved.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
- * \param[out] levels [cap] or NULL: index of the plane, 0-based; of overlaps the number of the region, from 1.
- * \param[out] kinds [cap] or NULL: one of the NURBS_NODE_ constants each.
- * \param[out] params [cap][2] or NULL: parameters of the surface; of a part its middle.
- * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis. Where the surface
- *   closes, that of a part on both sides of the seam runs beyond the upper end of the domain.
+ * \param[out] levels [cap] or NULL: the level, as for branches in nurbs_meet_branches().
+ * \param[out] kinds [cap] or NULL: one of the NURBS_NODE_ constants for each.
+ * \param[out] params [cap][2] or NULL: parameters of the surface; for a part, its middle.
+ * \param[out] ranges [cap][2][2] or NULL: lower and upper end of the part along each axis. Where the surface
+ *   closes, the range of a part on both sides of the seam runs beyond the upper end of the domain.
  * \param[out] count or NULL: number of nodes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_nodes(const nurbs_meet *meet, int64_t cap, int64_t *levels, int32_t *kinds,
                                         double *params, double *ranges, int64_t *count);
 
-/** \brief Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
- * \param[in] meet of two surfaces, faces or models, or of a projection.
+/** \brief Where the nodes of a meet are on the second of two surfaces; in a projection, their (t, h).
+ * \param[in] meet a meet of two surfaces, faces or models, or of a projection.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
- * \param[out] params [cap][2] or NULL: parameters of the second surface, in its domain; of a part its middle.
- * \param[out] ranges [cap][2][2] or NULL: of parameters, the ends of the part on each axis.
+ * \param[out] params [cap][2] or NULL: parameters of the second surface, in its domain; for a part, its
+ *   middle.
+ * \param[out] ranges [cap][2][2] or NULL: lower and upper end of the part along each axis.
  * \param[out] count or NULL: number of nodes.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough, _INCOMPATIBLE if the meet
- *   is of one surface.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough, _INCOMPATIBLE
+ *   if the meet is of one surface.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_nodes_second(const nurbs_meet *meet, int64_t cap, double *params,
                                                double *ranges, int64_t *count);
 
-/** \brief The ways that the branches of a meet make, from one to the next. Each branch belongs to one way, and those of a way
- * follow each other in its direction.
+/** \brief The ways of a meet: chains of branches, each of which continues the one before.
+ *
+ * Each branch belongs to one way, and the branches of a way follow each other in its direction.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of ways.
- * \param[out] levels [cap] or NULL: index of the plane, 0-based, rising.
+ * \param[out] levels [cap] or NULL: the level, as for branches in nurbs_meet_branches(), rising.
  * \param[out] firsts [cap] or NULL: the first branch, 0-based.
  * \param[out] sizes [cap] or NULL: the number of branches, at least 1.
- * \param[out] closes [cap] or NULL: 1 if the last branch goes on in the first one, or a single one closes; else 0, as where a
- *   node TOUCH hides how it goes on, even if the meet is complete.
- * \param[out] gaps [cap] or NULL: the largest distance in space between ends that go on in each other, nurbs_meet_joints().
+ * \param[out] closes [cap] or NULL: 1 if the last branch continues in the first one, or a single branch
+ *   closes; else 0, as where a node TOUCH hides how the way continues, even if the meet is complete.
+ * \param[out] gaps [cap] or NULL: the largest distance in space between ends that continue in each other
+ *   (nurbs_meet_joints()).
  * \param[out] count or NULL: number of ways.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int64_t *levels, int64_t *firsts,
                                        int64_t *sizes, int32_t *closes, double *gaps, int64_t *count);
 
-/** \brief Where the branches of nurbs_model_sections() are: on which faces. -1 in a meet of one surface.
+/** \brief The faces on which the branches of a meet of a model lie; -1 in other meets.
+ *
+ * Meets of models are those of nurbs_model_sections() and nurbs_model_intersections(), where the faces are
+ * those of the first model.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of branches.
  * \param[out] own_faces [cap] or NULL: the face of the model, 0-based.
@@ -6273,7 +6403,7 @@ NURBS_API nurbs_status nurbs_meet_ways(const nurbs_meet *meet, int64_t cap, int6
 NURBS_API nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
                                         int64_t *own_instances, int64_t *count);
 
-/** \brief Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in other meets.
+/** \brief The faces of the second model of nurbs_model_intersections() on which branches lie; else -1.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of branches.
  * \param[out] own_faces [cap] or NULL: the face of the second model, 0-based.
@@ -6284,13 +6414,16 @@ NURBS_API nurbs_status nurbs_meet_faces(const nurbs_meet *meet, int64_t cap, int
 NURBS_API nurbs_status nurbs_meet_faces_second(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
                                                int64_t *own_instances, int64_t *count);
 
-/** \brief How ways go on at the nodes of a meet, and on which faces of a model these are.
+/** \brief How branches continue at the nodes of a meet, and on which faces of a model these nodes are.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
- * \param[out] next_nodes [cap] or NULL: the node of the branch that goes on, or that came here, 0-based; -1: none.
- * \param[out] gaps [cap] or NULL: how far apart in space the ends of both branches are; 0 in a meet of one surface.
- * \param[out] own_faces [cap] or NULL: the face of the model, 0-based; -1 in a meet of one surface.
- * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based; -1 in a meet of one surface.
+ * \param[out] next_nodes [cap] or NULL: the node of the branch that continues here, or that came here,
+ *   0-based; -1: none.
+ * \param[out] gaps [cap] or NULL: how far apart in space the ends of both branches are; 0 in a meet of one
+ *   surface.
+ * \param[out] own_faces [cap] or NULL: the face of the model, 0-based; -1 if the meet is not of a model.
+ * \param[out] own_instances [cap] or NULL: the instance of its part, 0-based; -1 if the meet is not of a
+ *   model.
  * \param[out] count or NULL: number of nodes.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
@@ -6298,7 +6431,7 @@ NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, in
                                          double *gaps, int64_t *own_faces, int64_t *own_instances,
                                          int64_t *count);
 
-/** \brief On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+/** \brief The faces of the second model of nurbs_model_intersections() on which nodes are; else -1.
  * \param[in] meet a meet.
  * \param[in] cap length of the outputs: 0, or at least the number of nodes.
  * \param[out] own_faces [cap] or NULL: the face of the second model, 0-based.
@@ -6309,47 +6442,54 @@ NURBS_API nurbs_status nurbs_meet_joints(const nurbs_meet *meet, int64_t cap, in
 NURBS_API nurbs_status nurbs_meet_joints_second(const nurbs_meet *meet, int64_t cap, int64_t *own_faces,
                                                 int64_t *own_instances, int64_t *count);
 
-/** \brief What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes BORDER on them,
- * and the nodes of these parts. So sections, contours and levels of a face are those of its surface, trimmed; of a meet of
- * two surfaces it is what lies in a face of the first one, and nurbs_meet_trim_second() tells what of that lies in one
- * of the second. Where curves
- * cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts are inside by the sides
- * of their middles (nurbs_face_classify()); what runs along a loop, to 1e-9 of the domain, is inside; where crossings
- * are undecided there is a node UNDECIDED. A closed branch that
- * is cut is cut where it begins, too, in two nodes SEAM. Of an overlap that reaches into the face a node UNDECIDED is left, and
- * none of its boundary. A node TOUCH stays if its middle is in the face, a node
- * UNDECIDED unless all of its part is outside. Deviations stay.
- * \param[in] meet of the surface of the face, or one with the same parameters; or of two, the first of which it is.
+/** \brief The part of a meet that lies in a face.
+ *
+ * Of the branches the parts inside the loops are kept, which end on the loops in nodes BORDER, and of the
+ * nodes those of these parts. So sections, contours and levels of a face are those of its surface, trimmed.
+ * Of a meet of two surfaces, what lies in a face of the first one is kept; nurbs_meet_trim_second() keeps
+ * what lies in a face of the second one.
+ *
+ * Where curves cross loops is decided by nurbs_curve_intersections() in the parameter domain, and which parts
+ * are inside by the sides of their middles (nurbs_face_classify()). What runs along a loop, to 1e-9 of the
+ * domain, is inside. Where crossings are undecided there is a node UNDECIDED. A closed branch that is cut is
+ * also cut where it begins, in two nodes SEAM. Of an overlap that reaches into the face a node UNDECIDED is
+ * left, and none of its boundary. A node TOUCH stays if its middle is in the face, a node UNDECIDED unless
+ * all of its part is outside. Deviations stay.
+ * \param[in] meet a meet of the surface of the face, or of one with the same parameters; of two surfaces, it
+ *   is the first.
  * \param[in] face a face.
  * \param[out] out the new meet.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces are
- *   trimmed.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces
+ *   are trimmed.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
 
-/** \brief nurbs_meet_trim() as a call that can be watched and ended.
+/** \brief nurbs_meet_trim() with progress reports, cancellation and a limit of work.
  * \param[in] meet,face as for nurbs_meet_trim().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_meet_trim(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_face *face,
                                             const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of the first: curves
- * in the domain of the second surface are cut where they cross the loops, and all curves of a branch with them. Both cuts
- * may be made in any order.
- * \param[in] meet of two surfaces, the second one being that of the face, or one with the same parameters.
+/** \brief The part of a meet of two surfaces that lies in a face of the second one.
+ *
+ * It is trimmed as by nurbs_meet_trim(): curves in the domain of the second surface are cut where they cross
+ * the loops, and all curves of a branch with them. The two trims may be made in either order.
+ * \param[in] meet a meet of two surfaces, the second of which is that of the face, or one with the same
+ *   parameters.
  * \param[in] face a face.
  * \param[out] out the new meet.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE if the meet is of one surface or of a model.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE if the meet is of one surface or of a
+ *   model.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face,
                                               nurbs_meet **out);
 
-/** \brief nurbs_meet_trim_second() as a call that can be watched and ended.
+/** \brief nurbs_meet_trim_second() with progress reports, cancellation and a limit of work.
  * \param[in] meet,face as for nurbs_meet_trim_second().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_meet_trim_second(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -7935,45 +8075,47 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
  * nurbs_model_destroy(model);
  * \endcode
  * A model holds faces with the edges that they share, the vertices at which edges meet, and the parts to
- * which faces and edges belong. Parts have coordinates of their own and are placed by uses, in the whole or
- * in other parts, as often as a file says; nothing is multiplied. A model of faces alone has one part and one
- * use of it.
+ * which faces and edges belong. A part has coordinates of its own. A use places a part in the whole or in
+ * another part, as often as a file says; no geometry is copied. An instance of a part is one chain of uses
+ * from the whole to it (nurbs_model_instances()). A model made of faces alone has one part and one use of it.
  *
- * In models from files the key of an edge in nurbs_face_edge() is its index in the model + 1. Curves and
- * surfaces of a file that no face or edge consists of, and the notes on what was not read, are in
- * nurbs_model_splines(). Models never change, are counted as splines are, and may be used by any number of
- * threads at once.
+ * In models from files the key of an edge in nurbs_face_edge() is its index in the model + 1.
+ * nurbs_model_splines() returns the curves and surfaces of a file that are part of no face or edge, with the
+ * notes on what was not read. Models are immutable and reference counted, as splines are, and any number of
+ * threads may use one at once.
  * @{ */
 
-/** \brief Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
- * says. Planes, cylinders, cones, spheres, tori, surfaces of revolution and of extrusion become splines
- * exactly, and keep their kind. Offset surfaces are as nurbs_read() has them, and others of them keep their
- * kind, too. Surfaces without ends are cut to the boundary of their face. A face has the tolerance that the
- * file states, 1e-7 if it states none, or one larger by powers of ten where its edges need that, which a note
- * tells. What is wrong with a face or an edge becomes a note and does not affect the others. However the
- * entities name each other, memory stays below 64 times the size of the file and 1 MB more, and parts are not
- * multiplied; a use that would put a part into itself is left out, and its note has the reason
- * NURBS_ERROR_CYCLE.
+/** \brief Reads the faces, edges and vertices of a STEP or an IGES file.
  *
- * STEP (ISO 10303-21; AP203, AP214, AP242): the curve in space of an edge rules: curves in the domain of a
- * spline surface are taken from the file where they lie under their edges, all others are made
- * (nurbs_face_create()). The tolerance stated is the uncertainty of the context. Faces of oriented shells in solids
- * (BREP_WITH_VOIDS) are turned as those say, and keep their solid; layers are those of
+ * The first line of the file says which of the two it is. Planes, cylinders, cones, spheres, tori, surfaces
+ * of revolution and of extrusion become splines exactly, and keep their kind. Offset surfaces become what
+ * nurbs_read() makes of them; those that it approximates have the kind NURBS_SHAPE_OFFSET. Unbounded surfaces
+ * are cut to the boundary of their face. A face has the tolerance that the file states, 1e-7 if it states
+ * none, or one larger by powers of ten where its edges need that, which a note reports. What is wrong with a
+ * face or an edge becomes a note and does not affect the others. However the entities name each other, memory
+ * stays below 64 times the size of the file and 1 MB more, and parts are not multiplied; a use that would put
+ * a part into itself is left out, and its note has the reason NURBS_ERROR_CYCLE.
+ *
+ * STEP (ISO 10303-21; AP203, AP214, AP242): the curve of an edge in space takes precedence. Curves in the
+ * domain of a spline surface are taken from the file where they lie under their edges; all others are made
+ * (nurbs_face_create()). The stated tolerance is the uncertainty of the context. Faces of oriented shells in
+ * solids (BREP_WITH_VOIDS) are turned as those shells say, and keep their solid; layers are those of
  * PRESENTATION_LAYER_ASSIGNMENTs.
  *
  * IGES 5.x (fixed-length ASCII form): faces are trimmed surfaces (entity 144), bounded surfaces (143), faces
- * (510) of shells (514) and solids (186), and surfaces that nothing else consists of: those over their whole
- * domain, a plane (108) within its curve. Where a boundary (142, 141) has curves in space and in the domain, those
- * that the file prefers rule, without preference those in space, and the others are taken where they belong to
- * them. Where a face cannot be made so, the others rule, and loops that are open are closed by segments in the
- * domain; a note tells either. Loops are turned as nurbs_face_create() does it. Faces share the edges and
- * vertices of lists (504, 502); other edges are those of one face, and meet each other in vertices of their own.
- * The tolerance stated is the resolution of the file. The first part holds what no subfigure (308) lists, alone
- * or in groups (402); subfigures are parts, which their instances (408) place with translation, scale and
- * matrix (124). A solid with instances (430), an entity in several subfigures, and a face, shell or solid with
- * a matrix are parts of their own. The colour of a face (314 or one of the eight that have numbers) is its own,
- * or that of its shell or solid, and so is its level, a number or a list of them (406 form 1): a layer. Curves
- * that nothing else consists of are in nurbs_model_splines().
+ * (510) of shells (514) and solids (186), and surfaces that are part of nothing else: these over their whole
+ * domain, a plane (108) within its curve. Where a boundary (142, 141) has curves both in space and in the
+ * domain, those that the file prefers take precedence, without a preference those in space; the others are
+ * used where they belong to them. If a face cannot be made that way, the other curves take precedence, and
+ * loops that are open are closed by segments in the domain; a note reports either. Loops are turned as by
+ * nurbs_face_create(). Faces share the edges and vertices of lists (504, 502); other edges belong to one face
+ * only, and meet each other in vertices of their own. The stated tolerance is the resolution of the file. The
+ * first part holds what no subfigure (308) lists, directly or in groups (402). Subfigures are parts, which
+ * their instances (408) place with translation, scale and matrix (124). A solid with instances (430), an
+ * entity in several subfigures, and a face, shell or solid with a matrix are parts of their own. The colour
+ * of a face (314 or one of the eight that have numbers) is its own, or that of its shell or solid. So is its
+ * level, a number or a list of them (406 form 1), which is a layer. Curves that are part of nothing else are
+ * in nurbs_model_splines().
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -7983,9 +8125,9 @@ NURBS_API nurbs_status nurbs_bytes_kind(const void *bytes, int64_t size, int32_t
 NURBS_API nurbs_status nurbs_read_model(const void *bytes, int64_t size, const nurbs_read_options *options,
                                         nurbs_model **out);
 
-/** \brief nurbs_read_model() as a call that can be watched and ended.
+/** \brief nurbs_read_model() with progress reports, cancellation and a limit of work.
  * \param[in] bytes,size,options as for nurbs_read_model().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new model.
  * \return as for nurbs_read_model(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -7993,7 +8135,7 @@ NURBS_API nurbs_status nurbs_read_model_with(const void *bytes, int64_t size,
                                              const nurbs_read_options *options,
                                              const nurbs_call_options *call, nurbs_model **out);
 
-/** \brief Reads a file by its path; see nurbs_read_model().
+/** \brief Reads a model from a file by its path; see nurbs_read_model().
  * \param[in] path file name, zero-terminated, in the system's encoding.
  * \param[in] options or NULL for the defaults: settings.
  * \param[out] out the new model.
@@ -8002,21 +8144,22 @@ NURBS_API nurbs_status nurbs_read_model_with(const void *bytes, int64_t size,
 NURBS_API nurbs_status nurbs_read_model_file(const char *path, const nurbs_read_options *options,
                                              nurbs_model **out);
 
-/** \brief nurbs_read_model_file() as a call that can be watched and ended.
+/** \brief nurbs_read_model_file() with progress reports, cancellation and a limit of work.
  * \param[in] path,options as for nurbs_read_model_file().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new model.
  * \return as for nurbs_read_model_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_read_model_file_with(const char *path, const nurbs_read_options *options,
                                                   const nurbs_call_options *call, nurbs_model **out);
 
-/** \brief A model of faces, with one part and one use of it. Faces with a common key share an edge, that of the
- * first of them, if their edges are no farther from each other than the tolerances of both faces add up to; else
- * each has an edge of its own, which a note of nurbs_model_splines() tells. So faces of several models, whose keys
- * may be equal by chance, can be put together. Edges are numbered in the order in which they occur, and coedges
- * without key get edges of their own. Vertices are the ends of edges, of which those are one that are equal bit
- * for bit.
+/** \brief A model made of faces, with one part and one use of it.
+ *
+ * Faces with a common key share an edge, that of the first of them, if their edges are no farther from each
+ * other than the sum of the tolerances of both faces. Otherwise each has an edge of its own, which a note of
+ * nurbs_model_splines() reports. So faces of several models, whose keys may be equal by chance, can be put
+ * together. Edges are numbered in the order in which they occur; curves of loops without a key get edges of
+ * their own. Vertices are the ends of edges; ends that are equal bit for bit are one vertex.
  * \param[in] count number of faces.
  * \param[in] faces [count] faces of surfaces of dimension 3.
  * \param[in] metres metres per unit of length, >= 0; 0 leaves it open.
@@ -8027,54 +8170,58 @@ NURBS_API nurbs_status nurbs_read_model_file_with(const char *path, const nurbs_
 NURBS_API nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const *faces, double metres,
                                           nurbs_model **out);
 
-/** \brief A model of patches that do not know each other, with one part and one use of it: pieces of their
- * boundaries that lie along each other become common edges, so that nurbs_mesh_model() makes a mesh without gaps.
- * A whole surface is sewn as the face without loops of nurbs_face_create().
+/** \brief A model sewn from patches without topology: boundaries that coincide become common edges.
  *
- * **When two pieces are one edge.** The boundary of a face is what its surface makes of the curves of its loops;
- * edges in space that it was given are left out. Ends of these curves that are no farther from each other than the
- * tolerance are one vertex. Where a vertex is within the tolerance of a curve that does not end there, the curve is
- * cut if a common edge begins or ends there, as where two sides meet a longer one. Pieces between the same vertices
- * are one edge if each is proven to lie within the tolerance of the other, and their ends of each other (nearest
- * ones at equal parameters, else the two-sided Hausdorff distance): of curves whose distance is below the tolerance
- * by less than a thousandth of it that may be left open, and then they are not. There is no limit to the faces at an
- * edge. Where not all pieces are within the tolerance of each other those that most others are near to have the
- * others at them, so that the order of the faces changes no count.
+ * The model has one part and one use of it. Pieces of boundaries that lie along each other are common edges,
+ * so that nurbs_mesh_model() makes a mesh without gaps. A whole surface is sewn as the face without loops
+ * that nurbs_face_create() makes of it.
  *
- * **Nothing is moved.** The curve of an edge is one of the pieces: that of the first face, where there are two.
- * How far those of the others are from it is in nurbs_face_deviation(), and in nurbs_model_edge_gaps() with the
- * number of uses, by which free edges are told from common ones. Curves of edges are clamped; those along a
- * parameter have the degree of the surface along it.
+ * **When two pieces are one edge.** The boundary of a face is what its surface makes of the curves of its
+ * loops; edges in space that it was given are disregarded. Ends of these curves that are no farther from each
+ * other than the tolerance are one vertex. Where a vertex is within the tolerance of a curve that does not
+ * end there, the curve is cut if a common edge begins or ends there, as where two sides meet a longer one.
+ * Pieces between the same vertices are one edge if each is proven to lie within the tolerance of the other,
+ * and so are their ends. Distances are measured at equal parameters, else at those of nearest points, else as
+ * the two-sided Hausdorff distance. If the distance of two curves is below the tolerance by less than a
+ * thousandth of it, this may stay undecided; then they are not one edge. There is no limit to the number of
+ * faces at an edge. Where not all pieces are within the tolerance of each other, the one that most others are
+ * near gathers these others, so that the order of the faces does not change any count.
  *
- * **What closes up in itself.** A face that is the whole of its surface has its boundaries at the tolerance of
- * sewing: those that meet are no edges (a seam), and those that are no larger than the tolerance are poles, unless
- * the whole surface is so thin that two of its sides would meet all along. Of other faces two curves of one loop may
- * be one edge. Pieces of curves within the tolerance of a point are left out of loops, unless these consist of
- * nothing else, and their ends become one vertex. A closed curve has a vertex where it begins.
+ * **Nothing is moved.** The curve of an edge is one of the pieces: that of the first face, where there are
+ * two. How far the others are from it is in nurbs_face_deviation(), and in nurbs_model_edge_gaps(), together
+ * with the number of uses, which tells free edges from common ones. Curves of edges are clamped; those along
+ * a parameter have the degree of the surface along it.
  *
- * Faces keep their order and their surfaces, and are named by their numbers. Their tolerances become as large as the
- * distances of their curves from the edges, as a thousandth of the tolerance, and as is needed for them to close up
- * as they do. Faces that hang
- * together by edges with two uses are seen from the side of the first one of them: others that are turned against
- * it have `against` in nurbs_model_face(). nurbs_model_volume() tells what closed ones hold.
+ * **Surfaces that close.** For a face that is the whole of its surface, boundaries are judged at the
+ * tolerance of sewing: those that meet are no edges (a seam), and those no larger than the tolerance are
+ * poles, unless the whole surface is so thin that two of its sides would meet all along. In other faces two
+ * curves of one loop may be one edge. Pieces of curves within the tolerance of a point are left out of loops,
+ * unless these consist of nothing else, and their ends become one vertex. A closed curve has a vertex where
+ * it begins.
+ *
+ * Faces keep their order and their surfaces, and their names are their numbers. The tolerance of a face
+ * becomes as large as the distances of its curves from the edges, as a thousandth of the tolerance, and as
+ * the face needs to close up as it does. Faces that are connected by edges with two uses are seen from the
+ * side of the first one of them: those that are oriented against it have `against` in nurbs_model_face().
+ * nurbs_model_volume() computes what closed ones enclose.
  *
  * Costs: some nearest points and one comparison of curves for each edge; for n sides that end at the same two
  * vertices n^2 comparisons.
  * \param[in] count number of faces, at least 1.
  * \param[in] faces [count] faces of surfaces of dimension 3, no two of them the same in surface and curves.
- * \param[in] tolerance the largest distance in space that counts as none, > 0 and finite.
+ * \param[in] tolerance the largest distance in space that counts as zero, > 0 and finite.
  * \param[in] metres metres per unit of length, >= 0; 0 leaves it open.
  * \param[out] out the new model.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _FACTOR, _NOT_CONVERGED,
- *   _NOT_REPRESENTABLE; _SAME naming two faces that are the same; _ORIENTATION, _GAP or _OUTSIDE_DOMAIN naming a
- *   face that is nothing at the tolerance.
+ *   _NOT_REPRESENTABLE; _SAME naming two faces that are the same; _ORIENTATION, _GAP or _OUTSIDE_DOMAIN
+ *   naming a face of which nothing is left at the tolerance.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_sew(int64_t count, const nurbs_face *const *faces, double tolerance,
                                        double metres, nurbs_model **out);
 
-/** \brief nurbs_model_sew() as a call that can be watched and ended.
+/** \brief nurbs_model_sew() with progress reports, cancellation and a limit of work.
  * \param[in] count,faces,tolerance,metres as for nurbs_model_sew().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new model.
  * \return as for nurbs_model_sew(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -8093,7 +8240,7 @@ NURBS_API nurbs_status nurbs_model_clone(const nurbs_model *model, nurbs_model *
  * \since 1.1 */
 NURBS_API void nurbs_model_destroy(nurbs_model *model);
 
-/** \brief How much a model holds.
+/** \brief The numbers of parts, uses, faces, edges and vertices of a model.
  * \param[in] model a model.
  * \param[out] parts or NULL: number of parts.
  * \param[out] uses or NULL: number of uses of parts.
@@ -8105,13 +8252,14 @@ NURBS_API void nurbs_model_destroy(nurbs_model *model);
 NURBS_API nurbs_status nurbs_model_counts(const nurbs_model *model, int64_t *parts, int64_t *uses,
                                           int64_t *faces, int64_t *edges, int64_t *vertices);
 
-/** \brief A face of a model.
+/** \brief A face of a model, with its part, kind, orientation and colour.
  * \param[in] model a model.
  * \param[in] index 0-based.
  * \param[out] part or NULL: the part that it belongs to.
  * \param[out] shape or NULL: the kind of its surface, one of the NURBS_SHAPE_ constants; NURBS_SHAPE_NONE for
  *   a spline.
- * \param[out] against or NULL: 1 if the outer normal is against the normal S_u x S_v of the surface, else 0.
+ * \param[out] against or NULL: 1 if the outer normal is opposite to the normal S_u x S_v of the surface, else
+ *   0.
  * \param[out] colour [3] or NULL: red, green and blue from 0 to 1, NaN where the file gives none.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
@@ -8119,9 +8267,11 @@ NURBS_API nurbs_status nurbs_model_counts(const nurbs_model *model, int64_t *par
 NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index, int64_t *part,
                                         int32_t *shape, int32_t *against, double *colour, nurbs_face **out);
 
-/** \brief The name of a face, from the file (STEP: name of the face; IGES: name property, else label and
- * subscript); else the number of its entity, such as "#18" in STEP and "144#17" in IGES; in other models its
- * index.
+/** \brief The name of a face.
+ *
+ * It is from the file (STEP: name of the face; IGES: name property, else label and subscript), else the
+ * number of its entity, such as "#18" in STEP and "144#17" in IGES. In other models it is the index of the
+ * face.
  * \param[in] model a model.
  * \param[in] index 0-based.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.
@@ -8132,35 +8282,39 @@ NURBS_API nurbs_status nurbs_model_face(const nurbs_model *model, int64_t index,
 NURBS_API nurbs_status nurbs_model_face_name(const nurbs_model *model, int64_t index, char *buf, int64_t cap,
                                              int64_t *length);
 
-/** \brief The solid that a face bounds. Outer normals of its faces (nurbs_model_face()) point out of the material,
- * those of its voids too, so that the integral of x . n / 3 over all of them is its volume.
+/** \brief The solid that a face bounds.
+ *
+ * Outer normals of its faces (nurbs_model_face()) point out of the material, also those of the faces of its
+ * voids, so that the integral of x . n / 3 over all of them is its volume.
  * \param[in] model a model.
  * \param[in] index 0-based, of the face.
- * \param[out] solid or NULL: the number of the solid, from 0 on in the order of the first faces; -1 if the file
- *   has the face in none, and for models of faces.
+ * \param[out] solid or NULL: the number of the solid, from 0 in the order of the first faces; -1 if the file
+ *   has the face in none, and in models made of faces.
  * \param[out] in_void or NULL: 1 if the face belongs to a void of the solid, else 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_face_solid(const nurbs_model *model, int64_t index, int64_t *solid,
                                               int32_t *in_void);
 
-/** \brief The layers that a face is in, by itself or as part of a shell, a solid or a representation (STEP); else
- * by its shell or solid (IGES).
+/** \brief The layers that a face is in.
+ *
+ * In STEP these are the layers of the face itself and of each shell, solid or representation that it is a
+ * part of; in IGES those of the face, else of its shell or solid.
  * \param[in] model a model.
  * \param[in] index 0-based, of the face.
- * \param[in] cap size of layers, 0 to ask for it.
- * \param[out] layers [cap] or NULL when cap is 0: layers as nurbs_model_layer() has them, rising.
+ * \param[in] cap length of layers, 0 to ask for it.
+ * \param[out] layers [cap] or NULL when cap is 0: indices of layers for nurbs_model_layer(), rising.
  * \param[out] count or NULL: the number of layers.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT, _SIZE, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_face_layers(const nurbs_model *model, int64_t index, int64_t cap,
                                                int64_t *layers, int64_t *count);
 
-/** \brief An edge of a model.
+/** \brief An edge of a model, with its part, end vertices and kind.
  * \param[in] model a model.
  * \param[in] index 0-based.
  * \param[out] part or NULL: the part that it belongs to.
- * \param[out] end_vertices [2] or NULL: where its curve begins and ends; -1 for none.
+ * \param[out] end_vertices [2] or NULL: the vertices where its curve begins and ends; -1 for none.
  * \param[out] shape or NULL: the kind of its curve, one of the NURBS_SHAPE_ constants; NURBS_SHAPE_NONE for a
  *   spline.
  * \param[out] out the new handle on its curve.
@@ -8180,13 +8334,15 @@ NURBS_API nurbs_status nurbs_model_edge(const nurbs_model *model, int64_t index,
 NURBS_API nurbs_status nurbs_model_edge_uses(const nurbs_model *model, int64_t index, int64_t cap,
                                              int64_t *places, int64_t *count);
 
-/** \brief How well faces meet at the edges of a model: how many uses each has, 1 where a face ends, and how far
- * the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation() finds it.
+/** \brief How well faces meet at the edges of a model: the number of uses and the largest gap of each edge.
+ *
+ * An edge with one use is where a face ends. The gap is the largest distance of the edge from the curves of
+ * faces, as their surfaces map them, as nurbs_face_deviation() finds it.
  * \param[in] model a model.
  * \param[in] cap length of the arrays, 0 to ask for the number of edges.
- * \param[out] uses [cap] or NULL.
- * \param[out] gaps [cap] or NULL: distances; 0 of an edge that no face uses.
- * \param[out] bounded [cap] or NULL: 1 if that is a bound, 0 if it is the largest one seen.
+ * \param[out] uses [cap] or NULL: number of uses of each edge.
+ * \param[out] gaps [cap] or NULL: distances; 0 for an edge that no face uses.
+ * \param[out] bounded [cap] or NULL: 1 if the distance is a proven bound, 0 if it is the largest one seen.
  * \param[out] count or NULL: the number of edges.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _SIZE, _OVERLAP, _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.1 */
@@ -8223,15 +8379,17 @@ NURBS_API nurbs_status nurbs_model_part(const nurbs_model *model, int64_t index,
 NURBS_API nurbs_status nurbs_model_use(const nurbs_model *model, int64_t index, int64_t *parent,
                                        int64_t *part, double *placement);
 
-/** \brief Where the parts of a model stand in the whole: each way through uses of parts in parts. Those of one
- * part follow one another as its uses do, each before what is in it.
+/** \brief Where the parts of a model stand in the whole: each chain of uses from the whole to a part.
+ *
+ * The order is depth first: each instance comes before those in it, and those in one instance are in the
+ * order of their uses.
  * \param[in] model a model.
  * \param[in] cap length of the outputs: 0, or at least the number of instances.
  * \param[out] parents [cap] or NULL: the instance in which it stands; -1: the whole.
- * \param[out] last_uses [cap] or NULL: the last use on the way.
+ * \param[out] last_uses [cap] or NULL: the last use of the chain.
  * \param[out] own_parts [cap] or NULL: the part of that use.
- * \param[out] placements [cap][12] or NULL: a point x of the part is at M x + t in the whole, the three rows of
- *   (M | t).
+ * \param[out] placements [cap][12] or NULL: a point x of the part is at M x + t in the whole, the three rows
+ *   of (M | t).
  * \param[out] count or NULL: the number of instances.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _SIZE, _OVERLAP; _TOO_LARGE if there are more than 2^20.
  * \since 1.1 */
@@ -8239,35 +8397,37 @@ NURBS_API nurbs_status nurbs_model_instances(const nurbs_model *model, int64_t c
                                              int64_t *last_uses, int64_t *own_parts, double *placements,
                                              int64_t *count);
 
-/** \brief Where rays x = origin + t direction, t >= 0, meet the faces of a model first, of all parts where they
- * stand in the whole (nurbs_model_instances()). Hits are those of nurbs_face_rays(), whose rounding and that of
- * placements is in the proofs. A ray that passes an edge at no more than twice the largest tolerance of the faces
- * that share edges with its face touches the face there, unless a hit follows within four times that distance: so no
- * ray slips through between two neighbours and is told to be certified. The first call makes a tree of the boxes of
- * all faces, which is kept.
+/** \brief The first hits of rays x = origin + t direction, t >= 0, with the faces of a model.
+ *
+ * Faces of all parts count where they stand in the whole (nurbs_model_instances()). Hits are those of
+ * nurbs_face_rays(); its rounding, and that of placements, is in the proofs. A ray that passes an edge within
+ * twice the largest tolerance among its face and the faces that share edges with that face touches the face
+ * there, unless a hit follows within four times that distance: so no ray slips through between two neighbours
+ * and is reported as certified. The first call builds a tree of the boxes of all faces, which is kept.
  * \param[in] model a model.
  * \param[in] n number of rays.
- * \param[in] origins [n][3].
- * \param[in] directions [n][3] of any length but 0.
- * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither hit nor touch.
- * \param[out] distances [n] or NULL: t, which is in lengths of the direction; NaN as above.
- * \param[out] status [n] or NULL: NURBS_RAY_ bits; NURBS_RAY_BACK: from the side to which the outer normal of the
- *   face (nurbs_model_face()) does not point.
+ * \param[in] origins [n][3] the origins of the rays.
+ * \param[in] directions [n][3] their directions, of any length but 0.
+ * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither a hit nor a touch.
+ * \param[out] distances [n] or NULL: t, in units of the length of the direction; NaN where params are.
+ * \param[out] status [n] or NULL: sums of NURBS_RAY_ bits; NURBS_RAY_BACK: from the side to which the outer
+ *   normal of the face (nurbs_model_face()) does not point.
  * \param[out] places [n][2] or NULL: the face, and the instance of its part; -1 where params are NaN.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _POINT_NOT_FINITE if an origin is not finite,
- *   _DIRECTION if a direction is not finite or 0, _MATRIX if a part is placed so that rounding hides one of its
- *   dimensions, _NOT_REPRESENTABLE if a curve in space that bounds a face overflows, _TOO_LARGE as for
- *   nurbs_model_instances().
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _POINT_NOT_FINITE if an origin is not
+ *   finite, _DIRECTION if a direction is not finite or 0, _MATRIX if a part is placed so that rounding hides
+ *   one of its dimensions, _NOT_REPRESENTABLE if a curve in space that bounds a face overflows, _TOO_LARGE as
+ *   for nurbs_model_instances().
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_rays(const nurbs_model *model, int64_t n, const double *origins,
                                         const double *directions, double *params, double *distances,
                                         int32_t *status, int64_t *places);
 
-/** \brief nurbs_model_rays() as a call that can be watched and ended. At the limit of work rays that were not
- * looked at have no bits.
+/** \brief nurbs_model_rays() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, rays that were not examined have no status bits.
  * \param[in] model,n,origins,directions as for nurbs_model_rays().
  * \param[out] params,distances,status,places as for nurbs_model_rays().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_rays(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_rays_with(const nurbs_model *model, int64_t n, const double *origins,
@@ -8275,16 +8435,18 @@ NURBS_API nurbs_status nurbs_model_rays_with(const nurbs_model *model, int64_t n
                                              int32_t *status, int64_t *places,
                                              const nurbs_call_options *call);
 
-/** \brief All places where a ray meets the faces of a model, by rising t, as nurbs_model_rays() finds the first. A
- * place on an edge is one of each of its faces.
+/** \brief All places where a ray meets the faces of a model, in the order of rising t.
+ *
+ * They are found as nurbs_model_rays() finds the first one. A place on an edge is one of each of its faces.
  * \param[in] model a model.
- * \param[in] origin [3].
- * \param[in] direction [3] of any length but 0.
- * \param[in] range [2] or NULL: the t that count, infinite ones allowed; else {0, INFINITY}.
+ * \param[in] origin [3] the origin of the ray.
+ * \param[in] direction [3] its direction, of any length but 0.
+ * \param[in] range [2] or NULL for {0, INFINITY}: lower and upper end of the t that count, infinite ones
+ *   allowed.
  * \param[in] cap length of the outputs: 0, or at least the number of places.
  * \param[out] params [cap][2] or NULL: parameters of the surface.
- * \param[out] distances [cap] or NULL: t, which is in lengths of the direction.
- * \param[out] kinds [cap] or NULL: NURBS_RAY_HIT or NURBS_RAY_TOUCH each, and NURBS_RAY_BACK.
+ * \param[out] distances [cap] or NULL: t, in units of the length of the direction.
+ * \param[out] kinds [cap] or NULL: NURBS_RAY_HIT, to which NURBS_RAY_BACK may be added, or NURBS_RAY_TOUCH.
  * \param[out] places [cap][2] or NULL: the face, and the instance of its part.
  * \param[out] count or NULL: number of places.
  * \param[out] complete or NULL: 1 if there are no others and none of them is a touch, else 0.
@@ -8297,10 +8459,12 @@ NURBS_API nurbs_status nurbs_model_ray_hits(const nurbs_model *model, const doub
                                             double *params, double *distances, int32_t *kinds,
                                             int64_t *places, int64_t *count, int32_t *complete);
 
-/** \brief nurbs_model_ray_hits() as a call that can be watched and ended; at the limit of work it is not complete.
+/** \brief nurbs_model_ray_hits() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work the answer is not complete.
  * \param[in] model,origin,direction,range,cap as for nurbs_model_ray_hits().
  * \param[out] params,distances,kinds,places,count,complete as for nurbs_model_ray_hits().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_ray_hits(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const double *origin,
@@ -8311,40 +8475,43 @@ NURBS_API nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const
 
 /** \name Sides of a model
  * @{ */
-#define NURBS_SIDE_INSIDE 1     /**< of a solid, for certain */
+#define NURBS_SIDE_INSIDE 1     /**< inside a solid, for certain */
 #define NURBS_SIDE_ON 0         /**< no farther from a face than the tolerance */
-#define NURBS_SIDE_OUTSIDE (-1) /**< of all solids, for certain */
+#define NURBS_SIDE_OUTSIDE (-1) /**< outside all solids, for certain */
 #define NURBS_SIDE_UNDECIDED 2  /**< not known */
 /** @} */
 
-/** \brief Whether points are inside the solids of a closed model: a ray from the point leaves a solid once more
- * than it enters it. Up to 16 directions are tried, one after the other, until the hits of all faces are proven, none
- * of them is near an edge, where faces may leave open what their tolerances and nurbs_face_deviation() say, and
- * none is at the point itself. Solids are those that the file states, in each instance of their part, with their
- * voids; the faces of an instance that bound none of them are taken to bound one together. A point in several of
- * them is inside.
+/** \brief Whether points are inside the solids of a closed model.
+ *
+ * A ray from a point inside a solid leaves it once more than it enters it. Up to 16 directions are tried, one
+ * after the other, until the hits on all faces are proven, none of them is near an edge, where faces may
+ * leave a gap as wide as their tolerances and nurbs_face_deviation() say, and none is at the point itself.
+ * Solids are those that the file states, in each instance of their part, with their voids; the faces of an
+ * instance that bound none of them are taken to bound one together. A point in several of them is inside.
  * \param[in] model a model.
  * \param[in] n number of points.
  * \param[in] points [n][3], finite.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] tolerance the distance from a face up to which a point is on it, >= 0. With 0 none is: points that
- *   lie on a face to rounding are undecided, and so are those whose distance from a face
- *   (nurbs_face_closest_points()) is not certified though the surface is as near.
+ * \param[in] tolerance the distance from a face up to which a point is on it, >= 0. With 0 no point is on a
+ *   face, and points that lie on one to rounding are undecided. Points as near as the tolerance to a surface
+ *   are undecided, too, if their distance from the face (nurbs_face_closest_points()) is not certified.
  * \param[out] sides [n] NURBS_SIDE_ constants.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE, _MATRIX,
- *   _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays(), _NOT_CONVERGED as for nurbs_face_deviation();
- *   _GAP if the model is not closed: an edge is used an odd number of times by the faces of a solid, a face ends
- *   without an edge or has a gap in a loop, or its surface has a knot of more than its degree inside.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE,
+ *   _MATRIX, _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays(), _NOT_CONVERGED as for
+ *   nurbs_face_deviation(); _GAP if the model is not closed: an edge is used an odd number of times by the
+ *   faces of a solid, a face ends without an edge or has a gap in a loop, or its surface has an interior knot
+ *   of a multiplicity above its degree.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_classify(const nurbs_model *model, int64_t n, const double *points,
                                             int64_t point_stride, int64_t point_component_stride,
                                             double tolerance, int32_t *sides);
 
-/** \brief nurbs_model_classify() as a call that can be watched and ended. At the limit of work points that were not
- * looked at are undecided.
+/** \brief nurbs_model_classify() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, points that were not examined are undecided.
  * \param[in] model,n,points,point_stride,point_component_stride,tolerance as for nurbs_model_classify().
  * \param[out] sides as for nurbs_model_classify().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_classify(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64_t n, const double *points,
@@ -8352,9 +8519,11 @@ NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64
                                                  double tolerance, int32_t *sides,
                                                  const nurbs_call_options *call);
 
-/** \brief The points of all faces of a model, where their parts stand in the whole (nurbs_model_instances()), that are
- * nearest to given points: of each face as nurbs_face_closest_points() finds them, the nearest boxes first, so that
- * few faces are searched. Where a placement stretches its part, faces are searched as they stand.
+/** \brief The points of a model that are nearest to given points.
+ *
+ * Faces of all parts count where they stand in the whole (nurbs_model_instances()). Each face is searched as
+ * by nurbs_face_closest_points(), the nearest boxes first, so that few faces are searched. A face whose
+ * placement changes ratios of distances is searched in the whole.
  * \param[in] model a model.
  * \param[in] n number of points.
  * \param[in] points [n][3], finite, in the whole.
@@ -8362,8 +8531,8 @@ NURBS_API nurbs_status nurbs_model_classify_with(const nurbs_model *model, int64
  * \param[in] tolerance how much nearer another point may be, >= 0.
  * \param[out] params [n][2] or NULL: parameters of the surface; NaN if the model has no faces.
  * \param[out] feet [n][3] or NULL: the nearest points, in the whole; NaN if there are no faces.
- * \param[out] distances [n] or NULL: in the whole; infinite if there are no faces.
- * \param[out] status [n] or NULL: NURBS_CLOSEST_ bits as of nurbs_face_closest_points().
+ * \param[out] distances [n] or NULL: distances in the whole; infinite if there are no faces.
+ * \param[out] status [n] or NULL: NURBS_CLOSEST_ bits, as of nurbs_face_closest_points().
  * \param[out] places [n][2] or NULL: the face, and the instance of its part; -1 if there are no faces.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE,
  *   _NOT_CONVERGED; _MATRIX, _NOT_REPRESENTABLE, _TOO_LARGE as for nurbs_model_rays().
@@ -8373,11 +8542,13 @@ NURBS_API nurbs_status nurbs_model_closest_points(const nurbs_model *model, int6
                                                   double tolerance, double *params, double *feet,
                                                   double *distances, int32_t *status, int64_t *places);
 
-/** \brief nurbs_model_closest_points() as a call that can be watched and ended. At the limit of work points are not
- * certified.
- * \param[in] model,n,points,point_stride,point_component_stride,tolerance as for nurbs_model_closest_points().
+/** \brief nurbs_model_closest_points() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, points are not certified.
+ * \param[in] model,n,points,point_stride,point_component_stride,tolerance as for
+ *   nurbs_model_closest_points().
  * \param[out] params,feet,distances,status,places as for nurbs_model_closest_points().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_closest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_closest_points_with(const nurbs_model *model, int64_t n,
@@ -8387,36 +8558,39 @@ NURBS_API nurbs_status nurbs_model_closest_points_with(const nurbs_model *model,
                                                        int32_t *status, int64_t *places,
                                                        const nurbs_call_options *call);
 
-/** \brief Where planes of any directions cut the faces of a model where they stand in the whole
- * (nurbs_model_instances()), joined to ways over the edges that faces share. On each face branches and nodes
- * are those of nurbs_surface_sections(), trimmed as by nurbs_meet_trim(); curves in space are in the whole. A
- * branch has the outer normals of its face (nurbs_model_face()) on its right, as seen from the tip of the
- * normal of its plane: around material it runs anticlockwise, and around a hole in it clockwise, so that areas
- * enclosed, with their signs, add up to that of the section. Faces that bound no solid run as the first one of
- * those that hang together by edges. In the parameter domain normal . S > offset is on the left of branches,
- * as nurbs_meet_branch() says, or on the right where branches are turned for that.
+/** \brief Where planes cut the faces of a model, with the curves joined to ways over shared edges.
  *
- * Where a branch comes to an edge that two faces of a solid share, or two that bound none, the next one is
- * found by the order of the ends along the edge and by its direction; at a corner of faces, or a pole, where
- * just one ends and one begins. Both ends are nodes EDGE with their distance (nurbs_meet_joints()), which is
- * no more than twice the tolerances of the faces and the one given allow, divided by the sine of the angle, of
- * at least 1/256, between edge and plane. An end on a shared edge for which there is none is a node UNDECIDED,
- * which leaves its way open. So do nodes TOUCH, where a face is tangent to the plane and more than two
- * branches meet, or where branches end before a pole that the plane goes through, and nodes BORDER, where no
- * other face goes on: at edges of one use, or of more than two. Nothing is joined because it is near alone.
- * Where an edge that two faces share lies in a plane it is a branch of those that are below beside it, as if
- * the plane stood a little lower; what goes through a corner within the tolerance is left out. A face in the
- * plane is a node TOUCH.
+ * The planes may have any directions; faces are cut where they stand in the whole (nurbs_model_instances()).
+ * On each face branches and nodes are those of nurbs_surface_sections(), trimmed as by nurbs_meet_trim();
+ * curves in space are in the whole. A branch has the outer normals of its face (nurbs_model_face()) on its
+ * right, as seen from the tip of the normal of its plane: around material it runs counterclockwise, and
+ * around a hole in it clockwise, so that the signed areas enclosed add up to that of the section. Faces that
+ * bound no solid are oriented like the first one of those that are connected by edges. In the parameter
+ * domain normal . S > offset is on the left of branches, as nurbs_meet_branch() says, or on their right where
+ * branches are turned for the orientation above.
  *
- * Costs: those of nurbs_surface_sections() for faces whose boxes a plane cuts; where planes are parallel, with
- * equal normals, preparations are shared.
+ * Where a branch ends on an edge that two faces of one solid share, or two faces that bound none, the next
+ * branch is found by the order of the ends along the edge and by its direction; at a corner of faces, or at a
+ * pole, it is found if exactly one branch ends there and one begins. Both ends are nodes EDGE with their
+ * distance (nurbs_meet_joints()). This distance is no more than twice what the tolerances of the faces and
+ * the given one allow, divided by the sine of the angle, of at least 1/256, between edge and plane. An end on
+ * a shared edge without a next branch is a node UNDECIDED, which leaves its way open. So do nodes TOUCH,
+ * where a face is tangent to the plane and more than two branches meet, or where branches end before a pole
+ * that the plane goes through, and nodes BORDER, where no other face continues: at edges of one use, or of
+ * more than two. Nothing is joined merely because it is near. A shared edge that lies in a plane is a branch
+ * of those of its faces that are below the plane beside it, as if the plane stood a little lower; what passes
+ * through a corner within the tolerance is left out. A face that lies in the plane is a node TOUCH.
+ *
+ * Costs: those of nurbs_surface_sections() for faces whose boxes a plane cuts; parallel planes with equal
+ * normals share preparations.
  * \param[in] model a model.
  * \param[in] n number of planes normal . x = offset.
- * \param[in] normals [n][3] of the planes, of any length but 0.
- * \param[in] offsets [n] in units of the lengths of the normals.
- * \param[in] tolerance > 0: the largest distance of the curves from the section, in the whole. Where placements move
- *   parts it holds for planes that rounding moves likewise.
- * \param[out] out the new meet; its levels are the planes, and nurbs_meet_faces() tells the faces of branches.
+ * \param[in] normals [n][3] the normals of the planes, of any length but 0.
+ * \param[in] offsets [n] the offsets; the signed distance of a plane from 0 is offset / |normal|.
+ * \param[in] tolerance > 0: the largest distance of the curves from the section, in the whole. Where
+ *   placements move parts, it holds for planes that the rounding of these motions may have moved, too.
+ * \param[out] out the new meet; its levels are the planes, and nurbs_meet_faces() returns the faces of
+ *   branches.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE; _DIRECTION if a
  *   normal is not finite or 0, _POINT_NOT_FINITE if an offset is not finite, _MATRIX if a placement cannot be
  *   inverted, _TOO_LARGE if there are too many instances.
@@ -8424,10 +8598,11 @@ NURBS_API nurbs_status nurbs_model_closest_points_with(const nurbs_model *model,
 NURBS_API nurbs_status nurbs_model_sections(const nurbs_model *model, int64_t n, const double *normals,
                                             const double *offsets, double tolerance, nurbs_meet **out);
 
-/** \brief nurbs_model_sections() as a call that can be watched and ended. At the limit of work what was not looked
- * at is undecided.
+/** \brief nurbs_model_sections() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, what was not examined is undecided.
  * \param[in] model,n,normals,offsets,tolerance as for nurbs_model_sections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_model_sections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -8435,41 +8610,47 @@ NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64
                                                  const double *offsets, double tolerance,
                                                  const nurbs_call_options *call, nurbs_meet **out);
 
-/** \brief Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to ways over
- * the edges that faces share: the curves of a union, a difference or an intersection. On each pair of faces whose boxes
- * have common points, found in a tree of these, branches and nodes are those of nurbs_face_intersections() of faces that share
- * no edge. Regions in which faces are one have levels of their own throughout, from 1; their branches run around them as in
- * the domain of the face of a, and edges with its loops. Curves in which a face meets a neighbour of one that it has such a
- * region with are left out where they run along the border of that from end to end: models that stand on each other have the
- * region in common.
- * Curves in space are in the whole. Branches run along n_b x n_a with the outer normals n of the faces
- * (nurbs_model_face()): on a face of a, seen from outside, the material of b is on their right, and on one of b that of a on their
- * left. Faces that bound no solid run as the first one of those that hang together by edges.
+/** \brief Where the faces of two models meet, with the curves joined to ways over shared edges.
  *
- * Where a branch ends on an edge that two faces of a solid share, or two that bound none, the next one is found on the other
- * face with the same face of the other model, or, where edges of both cross, with the other face of that; both ends are
- * nodes EDGE with their distance (nurbs_meet_joints()), which is no more than twice the tolerances of the faces and the one
- * given allow, divided by the sine of the angle, of at least 1/256, between edge and surface. An end on a shared edge for
- * which there is none is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is joined
- * because it is near alone. What runs along borders of both faces from end to end, and goes on in nothing, is an edge that
- * both models have: a branch EDGE, which ends in nodes BORDER, between each pair of the faces beside it.
+ * These are the curves of a union, a difference or an intersection. Faces meet where they stand in the whole
+ * (nurbs_model_instances()). On each pair of faces whose boxes have common points, found in a tree of boxes,
+ * branches and nodes are those of nurbs_face_intersections() for faces that share no edge. Regions in which
+ * faces coincide have levels of their own throughout, from 1; their branches run around them as in the domain
+ * of the face of a, and edges run with its loops. A curve in which a face meets a neighbour of a face that it
+ * has such a region with is left out where it runs along the border of the region from end to end: models
+ * that stand on each other have only the region in common. Curves in space are in the whole. Branches run
+ * along n_b x n_a with the outer normals n of the faces (nurbs_model_face()): on a face of a, seen from
+ * outside, the material of b is on their right, and on one of b, that of a is on their left. Faces that bound
+ * no solid are oriented like the first one of those that are connected by edges.
  *
- * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a little more than
- * the face.
+ * Where a branch ends on an edge that two faces of one solid share, or two faces that bound none, the next
+ * branch is on the other face with the same face of the other model or, where edges of both models cross,
+ * with the other face of that edge. Both ends are nodes EDGE with their distance (nurbs_meet_joints()). This
+ * distance is no more than twice what the tolerances of the faces and the given one allow, divided by the
+ * sine of the angle, of at least 1/256, between edge and surface. An end on a shared edge without a next
+ * branch is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is
+ * joined merely because it is near. A curve that runs along borders of both faces from end to end, and
+ * continues in nothing, is an edge that both models have: a branch EDGE, which ends in nodes BORDER, for each
+ * pair of the faces beside it.
+ *
+ * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a
+ * little more than the face.
  * \param[in] a,b models; both may be the same.
  * \param[in] tolerance > 0: the largest distance of the curves from the common points, in the whole.
- * \param[out] out the new meet, all of it but overlaps of level 0; nurbs_meet_faces() and nurbs_meet_joints() tell the faces of a,
- *   nurbs_meet_faces_second() and nurbs_meet_joints_second() those of b.
+ * \param[out] out the new meet; all of it except overlaps has level 0. nurbs_meet_faces() and
+ *   nurbs_meet_joints() return the faces of a, nurbs_meet_faces_second() and nurbs_meet_joints_second() those
+ *   of b.
  * \return NURBS_OK, NURBS_ERROR_NULL, _TOLERANCE, _NOT_REPRESENTABLE; _MATRIX if a placement cannot be
  *   inverted, _TOO_LARGE if there are too many instances.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_intersections(const nurbs_model *a, const nurbs_model *b, double tolerance,
                                                  nurbs_meet **out);
 
-/** \brief nurbs_model_intersections() as a call that can be watched and ended. At the limit of work what was not looked
- * at is undecided.
+/** \brief nurbs_model_intersections() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, what was not examined is undecided.
  * \param[in] a,b,tolerance as for nurbs_model_intersections().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new meet.
  * \return as for nurbs_model_intersections(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -8477,7 +8658,7 @@ NURBS_API nurbs_status nurbs_model_intersections_with(const nurbs_model *a, cons
                                                       double tolerance, const nurbs_call_options *call,
                                                       nurbs_meet **out);
 
-/** \brief Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+/** \brief The area of all faces of a model where they stand in the whole (nurbs_model_instances()).
  * \param[in] model a model.
  * \param[in] relative_tolerance as for nurbs_face_area(), of the faces of each part together.
  * \param[out] area the area; 0 if there are no faces.
@@ -8487,26 +8668,29 @@ NURBS_API nurbs_status nurbs_model_intersections_with(const nurbs_model *a, cons
 NURBS_API nurbs_status nurbs_model_area(const nurbs_model *model, double relative_tolerance, double *area,
                                         double *error);
 
-/** \brief nurbs_model_area() as a call that can be watched and ended.
+/** \brief nurbs_model_area() with progress reports, cancellation and a limit of work.
  * \param[in] model,relative_tolerance as for nurbs_model_area().
  * \param[out] area,error as for nurbs_model_area().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_area_with(const nurbs_model *model, double relative_tolerance,
                                              double *area, double *error, const nurbs_call_options *call);
 
-/** \brief Volume, centroid and inertia of the solids of a closed model where they stand in the whole
- * (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as nurbs_enclosed_volume() has
- * it of whole surfaces. Solids are those that the file states, voids taken off, as the outer normals of their faces
- * say (nurbs_model_face()); the faces of a part that bound none of them are taken to bound one together, and those
- * of them that hang together by edges are seen as the first of them is: shells of a hollow body have to begin with
- * faces whose normals all point out of the material, or all into it. A solid turned inside out, or mirrored by its
- * placement, has the volume of what it encloses, too; solids that overlap count each.
+/** \brief Volume, centroid and inertia of the solids of a closed model.
  *
- * What faces leave open within their tolerances, or beyond (nurbs_face_deviation()), is neither in the volume nor in
- * the error: the vector area of a solid, the integral of its outer normal, which is 0 if its faces fit together, tells
- * of it, and of outer normals that point inwards.
+ * They are those of the solids where these stand in the whole (nurbs_model_instances()), by the divergence
+ * theorem over their trimmed faces, as nurbs_enclosed_volume() computes them for whole surfaces. Solids are
+ * those that the file states, with voids subtracted, as the outer normals of their faces say
+ * (nurbs_model_face()). The faces of a part that bound none of them are taken to bound one together, and
+ * those of them that are connected by edges are oriented like the first of them: shells of a hollow body have
+ * to begin with faces whose normals all point out of the material, or all into it. A solid that is turned
+ * inside out, or mirrored by its placement, has the volume that it encloses, too; solids that overlap count
+ * each.
+ *
+ * Gaps that faces leave within their tolerances, or beyond (nurbs_face_deviation()), are neither in the
+ * volume nor in the error. The vector area of a solid, the integral of its outer normal, is 0 if its faces
+ * fit together: it shows such gaps, and outer normals that point inwards.
  * \param[in] model a model.
  * \param[in] relative_tolerance as for nurbs_face_area(), of each solid.
  * \param[out] volume >= 0.
@@ -8514,16 +8698,17 @@ NURBS_API nurbs_status nurbs_model_area_with(const nurbs_model *model, double re
  * \param[out] inertia [3][3] or NULL: about the centroid, as for nurbs_moments().
  * \param[out] openness or NULL: sum of the lengths of the vector areas of all solids.
  * \param[out] error or NULL: estimate of the error of volume.
- * \return as for nurbs_face_area(); NURBS_ERROR_GAP if the model is not closed, as for nurbs_model_classify(),
- *   _LENGTH if the volume is 0 and centroid or inertia are wanted, _TOO_LARGE if there are too many instances.
+ * \return as for nurbs_face_area(); NURBS_ERROR_GAP if the model is not closed, as for
+ *   nurbs_model_classify(), _LENGTH if the volume is 0 and centroid or inertia are wanted, _TOO_LARGE if
+ *   there are too many instances.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_volume(const nurbs_model *model, double relative_tolerance, double *volume,
                                           double *centroid, double *inertia, double *openness, double *error);
 
-/** \brief nurbs_model_volume() as a call that can be watched and ended.
+/** \brief nurbs_model_volume() with progress reports, cancellation and a limit of work.
  * \param[in] model,relative_tolerance as for nurbs_model_volume().
  * \param[out] volume,centroid,inertia,openness,error as for nurbs_model_volume().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_volume_with(const nurbs_model *model, double relative_tolerance,
@@ -8531,8 +8716,9 @@ NURBS_API nurbs_status nurbs_model_volume_with(const nurbs_model *model, double 
                                                double *openness, double *error,
                                                const nurbs_call_options *call);
 
-/** \brief The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
- * notes on all that was not read.
+/** \brief The curves and surfaces of a file that are part of no face or edge, as a list.
+ *
+ * The list also has the unit of length of the file and the notes on all that was not read.
  * \param[in] model a model.
  * \param[out] out the new list.
  * \return NURBS_OK, NURBS_ERROR_NULL.
@@ -8542,23 +8728,25 @@ NURBS_API nurbs_status nurbs_model_splines(const nurbs_model *model, nurbs_list 
 /** \brief The layers that one of the splines of nurbs_model_splines() is in.
  * \param[in] model a model.
  * \param[in] index 0-based, of the spline.
- * \param[in] cap size of layers, 0 to ask for it.
- * \param[out] layers [cap] or NULL when cap is 0: layers as nurbs_model_layer() has them, rising.
+ * \param[in] cap length of layers, 0 to ask for it.
+ * \param[out] layers [cap] or NULL when cap is 0: indices of layers for nurbs_model_layer(), rising.
  * \param[out] count or NULL: the number of layers.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _COUNT, _SIZE, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_spline_layers(const nurbs_model *model, int64_t index, int64_t cap,
                                                  int64_t *layers, int64_t *count);
 
-/** \brief How many layers faces and splines of a model are in.
+/** \brief The number of layers that faces and splines of a model are in.
  * \param[in] model a model.
  * \param[out] count number of layers.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_layer_count(const nurbs_model *model, int64_t *count);
 
-/** \brief The name of a layer: of a PRESENTATION_LAYER_ASSIGNMENT in STEP, where those of equal names are one;
- * the number of a level in IGES, such as "3", or what a property (406 form 3) says that the level is for.
+/** \brief The name of a layer.
+ *
+ * In STEP it is that of a PRESENTATION_LAYER_ASSIGNMENT; those of equal names are one layer. In IGES it is
+ * the number of a level, such as "3", or what a property (406 form 3) says that the level is for.
  * \param[in] model a model.
  * \param[in] index 0-based.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.
@@ -8591,33 +8779,38 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
  * nurbs_destroy(outline);
  * nurbs_destroy(hole);
  * \endcode
- * Curves of a plane, or of the domain of a surface, are cut wherever they meet (nurbs_curve_intersections()). Between two
- * nodes nothing else comes to an edge; edges that run along each other are one. How often loops go around the places
- * beside an edge is counted along a column of the domain, exactly for the stored curves, as nurbs_face_classify() does it.
- * What results is bounded by exact parts of the curves that were given, and by whole ones where nothing meets them.
+ * Curves of the plane, or of the domain of a surface, are cut wherever they meet
+ * (nurbs_curve_intersections()): they become edges between nodes, and no other curve comes to an edge between
+ * its two nodes. Edges that run along each other are one. How often loops go around the places beside an edge
+ * is counted along a column of the domain, exactly for the stored curves, as by nurbs_face_classify(). The
+ * results are bounded by exact parts of the curves that were given, and by whole ones where nothing meets
+ * them.
  *
- * **What is near.** Places that are no farther from each other than the tolerance are one node, and curves that run along
- * each other within it, from a knot or an end of one of them to another, are one edge, that of the first of them. A curve that
- * ends as near beside another one, or a border, ends on it. Rounding
- * leaves 2^-37 of the size of the domain, about 7e-12, in any case, and as much of the largest parameter. Farther than some of
- * that, and of the tolerance, from the curves the result is right. Where that cannot be told the call fails with NURBS_ERROR_NOT_CONVERGED and names the place.
+ * **What is near.** Places that are no farther from each other than the tolerance are one node. Curves that
+ * run along each other within it, from a knot or an end of one of them to another, are one edge, that of the
+ * first of them. A curve that ends as near as that beside another one, or beside a border, ends on it.
+ * Rounding makes 2^-37 of the size of the domain, about 7e-12, count as near in any case, and as much of the
+ * largest parameter. At places farther from the curves than a few times that and the tolerance, the result is
+ * right. Where that cannot be decided, the call fails with NURBS_ERROR_NOT_CONVERGED and names the place.
  *
- * **Surfaces that close up.** Along axes whose ends are one curve of space, faces and curves lie in the plane that copies of the domain
- * cover: curves may run over seams, wind around as often as they like, and begin in any copy. Poles are points, however long they are in
- * the domain: curves come to them and leave them in any direction, parts on both sides of such a curve are apart there, and no part
- * has an edge along a pole. Before parts go out it is checked that they cover as much of the domain as they should: what fails
- * that is NURBS_ERROR_NOT_CONVERGED.
+ * **Surfaces that close.** Along axes whose ends are one curve in space, faces and curves lie in the plane
+ * that copies of the domain cover: curves may cross seams, wind around as often as they like, and begin in
+ * any copy. Poles are points, however long they are in the domain: curves come to them and leave them in any
+ * direction, the parts on both sides of such a curve are apart there, and no part has an edge along a pole.
+ * Before parts are returned, it is checked that they cover as much of the domain as they should; if not, the
+ * call fails with NURBS_ERROR_NOT_CONVERGED.
  *
- * A region is a model of faces of one surface, none for the empty region. Each face is in one piece, with one loop around it
- * and one around each hole; loops do not come to a place twice, but may touch each other in nodes.
+ * A region is a model of faces of one surface; the empty region has none. Each face is in one piece, with one
+ * loop around it and one around each hole. No loop passes a place twice, but loops may touch each other in
+ * nodes.
  * @{ */
 
 /** \name What is inside of closed curves
- * By how often they go around a place, counterclockwise less clockwise.
+ * By the winding number at a place: how often they go around it, counterclockwise less clockwise.
  * @{ */
-#define NURBS_FILL_NON_ZERO 1 /**< a number other than 0 */
-#define NURBS_FILL_EVEN_ODD 2 /**< an odd number */
-#define NURBS_FILL_POSITIVE 3 /**< a number above 0 */
+#define NURBS_FILL_NON_ZERO 1 /**< a winding number other than 0 */
+#define NURBS_FILL_EVEN_ODD 2 /**< an odd winding number */
+#define NURBS_FILL_POSITIVE 3 /**< a winding number above 0 */
 /** @} */
 
 /** \name What is made of two regions
@@ -8628,27 +8821,30 @@ NURBS_API nurbs_status nurbs_model_layer(const nurbs_model *model, int64_t index
 #define NURBS_REGION_EITHER 4       /**< what is in a or in b and not in both: the symmetric difference */
 /** @} */
 
-/** \brief The region that closed curves of the plane enclose, however they cross, touch or lie in each other: outlines of
- * fonts, paths of cutters. Its faces are of the plane z = 0 over a square around all curves, (u, v) being (x, y).
+/** \brief The region of the plane that closed curves enclose, however they cross, touch or lie in each other.
  *
- * Costs: n log n for n curves, those of pairs that come near each other, and of each edge a column of the plane.
+ * Such curves are outlines of fonts, or paths of cutters. The faces of the region are in the plane z = 0 over
+ * a square around all curves, with (u, v) = (x, y).
+ *
+ * Costs: n log n for n curves, those of the pairs that come near each other, and a column of the plane for
+ * each edge.
  * \param[in] count number of curves; 0: the empty region.
- * \param[in] curves [count] curves of dimension 2 with positive weights, one after the other: each begins where the one
- *   before it ends, or begins a loop of its own where that one came back to where its loop began.
+ * \param[in] curves [count] curves of dimension 2 with positive weights, one after the other: each begins
+ *   where the one before it ends, or begins a new loop if that one came back to where its loop began.
  * \param[in] rule one of the NURBS_FILL_ constants.
- * \param[in] tolerance the largest distance that counts as none, >= 0.
+ * \param[in] tolerance the largest distance that counts as zero, >= 0.
  * \param[out] out the new model, its unit left open.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN; _NOT_REPRESENTABLE also
- *   for curves that extend over less than 2^-480 or more than 2^480, of which no areas are told;
- *   _RULE for another rule, _GAP naming a curve that jumps, or does not begin where the one before it ends, or a loop that
- *   does not close, _NOT_CONVERGED where rounding would have to decide.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN;
+ *   _NOT_REPRESENTABLE also for curves that extend over less than 2^-480 or more than 2^480, whose areas
+ *   cannot be computed; _RULE for another rule, _GAP naming a curve that jumps, or does not begin where the
+ *   one before it ends, or a loop that does not close, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_region_create(int64_t count, const nurbs *const *curves, int32_t rule,
                                            double tolerance, nurbs_model **out);
 
-/** \brief nurbs_region_create() as a call that can be watched and ended.
+/** \brief nurbs_region_create() with progress reports, cancellation and a limit of work.
  * \param[in] count,curves,rule,tolerance as for nurbs_region_create().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new model.
  * \return as for nurbs_region_create(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -8656,32 +8852,34 @@ NURBS_API nurbs_status nurbs_region_create_with(int64_t count, const nurbs *cons
                                                 double tolerance, const nurbs_call_options *call,
                                                 nurbs_model **out);
 
-/** \brief The union, intersection or difference of two regions. The faces of each may overlap: together they are what at
- * least one of them covers, so that the union of any number of faces is that of all of them with none. Borders that both
- * have in common, or parts of borders, count once, with what is at their sides.
+/** \brief The union, intersection, difference or symmetric difference of two regions.
  *
- * Faces are of one surface, or of planes that nurbs_region_create() made, over whatever
- * squares. Those of the result are of the same surface, or of such a plane; their edges in space are made anew, and their
- * tolerances are as large as those that were given.
+ * The faces of each region may overlap: together they are what at least one of them covers. So the union of
+ * any number of faces is that of all of them with the empty region. Borders, or parts of borders, that both
+ * regions have in common count once, with what lies on their two sides.
+ *
+ * All faces are of one surface, or of planes that nurbs_region_create() made, over whatever squares. The
+ * faces of the result are of the same surface, or of such a plane. Their edges in space are made anew, and
+ * their tolerances are as large as those that were given.
  * \param[in] rule one of the NURBS_REGION_ constants.
  * \param[in] count_a number of faces of a.
  * \param[in] a [count_a] faces of surfaces of dimension 3.
  * \param[in] count_b number of faces of b.
  * \param[in] b [count_b] such faces.
- * \param[in] tolerance the largest distance that counts as none, >= 0; at least that of regions of the plane is, and of other
- *   faces the largest gap between the curves of their loops.
+ * \param[in] tolerance the largest distance that counts as zero, >= 0. It counts as no less than the
+ *   tolerance of faces in such planes, and than the largest gap between the curves of loops of other faces.
  * \param[out] out the new model, its unit left open.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another
- *   rule, _INCOMPATIBLE naming a face of another surface, _GAP naming a face whose loops have
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE
+ *   for another rule, _INCOMPATIBLE naming a face of another surface, _GAP naming a face whose loops have
  *   larger gaps than its tolerance, _NOT_CONVERGED where rounding would have to decide.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_region_combine(int32_t rule, int64_t count_a, const nurbs_face *const *a,
                                             int64_t count_b, const nurbs_face *const *b, double tolerance,
                                             nurbs_model **out);
 
-/** \brief nurbs_region_combine() as a call that can be watched and ended.
+/** \brief nurbs_region_combine() with progress reports, cancellation and a limit of work.
  * \param[in] rule,count_a,a,count_b,b,tolerance as for nurbs_region_combine().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new model.
  * \return as for nurbs_region_combine(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -8690,32 +8888,37 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
                                                  double tolerance, const nurbs_call_options *call,
                                                  nurbs_model **out);
 
-/** \brief The parts of a face that curves in the domain of its surface divide it into: what is cut with them, or along
- * curves where it meets other shapes. With no curves these are the parts that the face consists of.
+/** \brief The parts into which curves in the domain of its surface divide a face.
  *
- * Curves may cross the border and each other, run along them, and close. What of them lies outside of the face has no
- * effect, nor has what ends inside without dividing anything, as far as it has the same part on both sides.
+ * The curves are cuts, or the curves where the face meets other shapes. With no curves, the parts are the
+ * pieces that the face consists of.
  *
- * Parts to both sides of a curve have a common edge in space with a common key, and nodes are its ends, bit for bit: the
- * result is closed along all of its cuts without being sewn. Coedges that no curve cuts keep the edges in space and keys that
- * they were given; edges of others are made (nurbs_face_edge()), with keys above those of the face.
+ * Curves may cross the border and each other, run along them, and close. What lies outside the face has no
+ * effect, nor has what ends inside it without dividing anything, as far as the same part is on both sides.
+ *
+ * The parts on both sides of a curve have a common edge in space with a common key, and the ends of this edge
+ * are nodes, bit for bit: the result is closed along all of its cuts without being sewn. Curves of loops that
+ * are not cut keep the edges in space and keys that they were given; edges of others are made
+ * (nurbs_face_edge()), with keys above those of the face.
  * \param[in] face a face of a surface of dimension 3.
  * \param[in] count number of curves.
- * \param[in] curves [count] curves of dimension 2 in the domain of the surface, or in the plane that covers it, with positive weights.
- * \param[in] tolerance the largest distance in space that counts as none, >= 0, as far as parameters move points evenly over
- *   the surface; at least the largest gap between the curves of its loops is. That of the face, which says how far its edges may
- *   be off it, is that of the parts.
+ * \param[in] curves [count] curves of dimension 2 in the domain of the surface, or in the plane that covers
+ *   it, with positive weights.
+ * \param[in] tolerance the largest distance in space that counts as zero, >= 0, as far as parameters move
+ *   points evenly over the surface. It counts as no less than the largest gap between the curves of the loops
+ *   of the face. The tolerance of the face, which says how far its edges may be off it, is that of the parts.
  * \param[out] out the new model of the parts, its unit left open.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN, _NOT_REPRESENTABLE;
- *   _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance
- *   of the face, _NOT_CONVERGED where rounding would have to decide, or if the face is no larger than the tolerance.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN,
+ *   _NOT_REPRESENTABLE; _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance of
+ *   the face, _NOT_CONVERGED where rounding would have to decide, or if the face is no larger than the
+ *   tolerance.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_split(const nurbs_face *face, int64_t count, const nurbs *const *curves,
                                         double tolerance, nurbs_model **out);
 
-/** \brief nurbs_face_split() as a call that can be watched and ended.
+/** \brief nurbs_face_split() with progress reports, cancellation and a limit of work.
  * \param[in] face,count,curves,tolerance as for nurbs_face_split().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new model.
  * \return as for nurbs_face_split(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -8725,41 +8928,46 @@ NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t cou
 
 /** \name Which side of a surface is kept
  * @{ */
-#define NURBS_TRIM_FRONT 1   /**< to which its normals N = S_u x S_v point */
-#define NURBS_TRIM_BACK (-1) /**< the other one */
+#define NURBS_TRIM_FRONT 1   /**< the side to which its normals N = S_u x S_v point */
+#define NURBS_TRIM_BACK (-1) /**< the other side */
 /** @} */
 
-/** \brief What of a face lies on one side of a surface: the parts into which the curves of nurbs_surface_intersections() divide
- * it, as nurbs_face_split() makes them, without those on the other side. None if all of it is there. What is kept for both sides
- * makes up the face.
+/** \brief The parts of a face that lie on one side of a surface.
  *
- * Which side a part is on is proven. Beside a curve in which both meet its direction tells it: what lies to its left in the
- * domain of the face is in front. A part that the surface does not come to is in front if P - Q points as N does, where P is a
- * place in it and Q the nearest point of the surface (nurbs_closest_points()), certified, and not on its border: there the
- * surface tells no side. A surface has to divide the face from border to border; one that ends inside of it is
- * refused. Where both only touch, in points or along curves, nothing is divided there.
+ * The curves of nurbs_surface_intersections() divide the face into parts, as by nurbs_face_split(), and those
+ * on the other side are left out; none is left if the whole face is there. What is kept for both sides
+ * together makes up the face.
  *
- * Curves that end in a node TOUCH, or in one UNDECIDED no larger than 16 tolerances, are continued by segments in the domain, no
- * farther from the surface than the tolerance: to the pole that is there, else to the middle of the node, or from one to the
- * other if there are two. So a face is cut through its poles and those of the surface, and by what crosses itself, as pipes of one
- * size do. As long as it is undecided otherwise how both meet in the face, or where curves go on is not told by this, nothing is answered.
+ * Which side a part is on is proven. Beside a curve of intersection its direction decides: what lies to its
+ * left in the domain of the face is in front. A part that the surface does not come to is in front if P - Q
+ * points as N does, where P is a place in the part and Q is the nearest point of the surface
+ * (nurbs_closest_points()); Q has to be certified, and not on the border of the surface, where there is no
+ * side. A surface has to divide the face from border to border; one that ends inside the face is refused.
+ * Where both only touch, in points or along curves, nothing is divided.
+ *
+ * Curves that end in a node TOUCH, or in one UNDECIDED no larger than 16 tolerances, are continued by
+ * segments in the domain, no farther from the surface than the tolerance: to the pole that is there, else to
+ * the middle of the node, or from one curve to the other if there are two. So a face is cut through its poles
+ * and those of the surface, and along curves that cross themselves, as where two pipes of one size meet. If
+ * it is otherwise undecided how both meet in the face, or if this does not tell where curves continue, the
+ * call fails.
  * \param[in] face a face of a surface of dimension 3.
- * \param[in] surface of dimension 3, all of it; its own border does not trim it.
+ * \param[in] surface a surface of dimension 3, all of which counts; its own border trims nothing.
  * \param[in] side one of the NURBS_TRIM_ constants.
- * \param[in] tolerance > 0: the largest distance of the new borders from the surface, and what counts as no distance, as for
- *   nurbs_face_split().
+ * \param[in] tolerance > 0: the largest distance of the new borders from the surface, and what counts as
+ *   zero, as for nurbs_face_split().
  * \param[out] out the new model of the parts that are kept, its unit left open.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another side,
- *   _INCOMPATIBLE if the surface ends inside of the face, or a part lies on both of its sides or beyond its border, _GAP
- *   if loops of the face have larger gaps than its tolerance, _NOT_CONVERGED where it is undecided how both meet, or rounding would
- *   have to decide.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _TOLERANCE, _NOT_REPRESENTABLE; _RULE for another
+ *   side, _INCOMPATIBLE if the surface ends inside the face, or a part lies on both of its sides or beyond
+ *   its border, _GAP if loops of the face have larger gaps than its tolerance, _NOT_CONVERGED where it is
+ *   undecided how both meet, or rounding would have to decide.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_trim(const nurbs_face *face, const nurbs *surface, int32_t side,
                                        double tolerance, nurbs_model **out);
 
-/** \brief nurbs_face_trim() as a call that can be watched and ended.
+/** \brief nurbs_face_trim() with progress reports, cancellation and a limit of work.
  * \param[in] face,surface,side,tolerance as for nurbs_face_trim().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new model.
  * \return as for nurbs_face_trim(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -8787,50 +8995,55 @@ NURBS_API nurbs_status nurbs_face_trim_with(const nurbs_face *face, const nurbs 
  * }
  * nurbs_mesh_destroy(mesh);
  * \endcode
- * Shapes made of what is straight and flat, within a distance that is proven. Parameters that divide a curve
- * into parts of equal length are those of nurbs_curve_divide().
+ * Approximations of shapes by segments, triangles and hexahedra, within a distance that is proven.
+ * Parameters that divide a curve into parts of equal length are those of nurbs_curve_divide().
  * @{ */
 
-/** \brief A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
- * they replace, both ways, is at most `chord`. Each is proven by the Bernstein coefficients of its part: these
- * are no nearer to the segment than the curve; and, where it is smaller, by the second derivatives across the
- * segment, which is exact in the limit of short segments. What rounding may have done is in the bound.
+/** \brief A polyline that approximates a curve within a proven distance.
+ *
+ * The Hausdorff distance of each segment from the part of the curve that it replaces, both ways, is at most
+ * `chord`. It is proven by the Bernstein coefficients of the part, since the curve is no farther from the
+ * segment than they are (convex hull property), and, where that is smaller, by the second derivatives across
+ * the segment, which is exact in the limit of short segments. Rounding is included in the bound.
  *
  * Vertices are at the ends of the domain; where the curve jumps, twice, at the limits from the left and the
- * right; where its direction changes by more than rounding at a knot; and in between as few as greedy steps
- * need: of smooth curves a few hundredths more than the least number for the tolerance, of rough ones up to a
- * tenth. A curve that closes has three segments or more; the last vertex of a periodic one is its first, bit for
- * bit. Other points are as nurbs_eval() has them. Powers of two in the unit of length change nothing but sizes.
+ * right; at knots where its direction changes by more than rounding; and in between as few as greedy steps
+ * need: for smooth curves a few hundredths more than the least number for the tolerance, for rough ones up to
+ * a tenth more. A curve that closes has three segments or more; the last vertex of a periodic one is its
+ * first, bit for bit. Other points are those of nurbs_eval(). Powers of two in the unit of length change
+ * nothing but sizes.
  *
- * An angle cannot be kept where the curve turns back at a cusp, or where its derivative vanishes; and nothing
- * can be proven where weights pass through 0. There segments become as short as 1e-6 of the size of the curve, or
- * neighbouring parameters. A chord below what rounding allows is not reached either. Where no limit of work is
- * given there is one of about a second, and more for many control points.
+ * An angle cannot be kept where the curve turns back at a cusp, or where its derivative vanishes, and nothing
+ * can be proven where weights pass through 0. There segments become as short as 1e-6 of the size of the
+ * curve, or end at neighbouring parameters. A chord below what rounding allows is not reached either. If no
+ * limit of work is given there is one of about a second, and more for many control points.
  *
- * Costs: about 0.5 us for a segment of a cubic, and as much for a span.
+ * Costs: about 0.5 us for each segment of a cubic, and as much for each span.
  * \param[in] g a curve.
  * \param[in] chord > 0: the largest distance; infinite for no limit, if there is another one.
- * \param[in] angle between any two tangents of the part of a segment, in radians, at most pi; 0 for no limit.
- * \param[in] longest length of a segment; 0 for no limit.
+ * \param[in] angle the largest angle between any two tangents of the part of a segment, in radians, at most
+ *   pi; 0 for no limit.
+ * \param[in] longest the largest length of a segment; 0 for no limit.
  * \param[in] cap length of the arrays: 0, or at least the number of vertices.
- * \param[out] params [cap] or NULL: of the vertices, rising.
+ * \param[out] params [cap] or NULL: parameters of the vertices, rising.
  * \param[out] points [cap][dim] or NULL: the vertices.
  * \param[out] bound or NULL: no distance is larger; infinite where none could be proven.
- * \param[out] reached or NULL: 1 if all segments keep to the limits, as proven, else 0: also at the limit of
- *   work, where the rest of the curve is one segment from each place with a vertex to the next one.
+ * \param[out] reached or NULL: 1 if it is proven that all segments keep to the limits, else 0. At the limit
+ *   of work it is 0, and the rest of the curve is one segment from each place that has a vertex to the next
+ *   one.
  * \param[out] count or NULL: number of vertices.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERLAP; _TOLERANCE if chord is not > 0, or infinite
- *   without another limit, _ANGLE if angle is not from 0 to pi, _LENGTH if longest is not finite or < 0, _SIZE
- *   if cap is neither 0 nor enough; _NOT_REPRESENTABLE if control points of pieces overflow.
+ *   without another limit, _ANGLE if angle is not from 0 to pi, _LENGTH if longest is not finite or < 0,
+ *   _SIZE if cap is neither 0 nor enough; _NOT_REPRESENTABLE if control points of pieces overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_curve(const nurbs *g, double chord, double angle, double longest,
                                         int64_t cap, double *params, double *points, double *bound,
                                         int32_t *reached, int64_t *count);
 
-/** \brief nurbs_mesh_curve() as a call that can be watched and ended.
+/** \brief nurbs_mesh_curve() with progress reports, cancellation and a limit of work.
  * \param[in] g,chord,angle,longest,cap as for nurbs_mesh_curve().
  * \param[out] params,points,bound,reached,count as for nurbs_mesh_curve().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_mesh_curve(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_curve_with(const nurbs *g, double chord, double angle, double longest,
@@ -8838,16 +9051,16 @@ NURBS_API nurbs_status nurbs_mesh_curve_with(const nurbs *g, double chord, doubl
                                              int32_t *reached, int64_t *count,
                                              const nurbs_call_options *call);
 
-/** \brief How near to a shape its mesh is to be; fill with nurbs_mesh_options_init() first. NULL stands for the
- * defaults as well. Fields are only ever appended, and struct_size is at most 4096. All limits that are given
- * hold. The extent is the longest side of the box of all control points of all surfaces. \since 1.1 */
+/** \brief How near a mesh has to be to its shape; fill with nurbs_mesh_options_init() first. NULL stands for
+ * the defaults as well. Fields are only ever appended, and struct_size is at most 4096. All limits that are
+ * given hold. The extent is the longest side of the box of all control points of all surfaces. \since 1.1 */
 typedef struct nurbs_mesh_options {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
-    double chord;          /**< the largest distance of shape and mesh, both ways, > 0; INFINITY */
-    double relative_chord; /**< the same as a share of the extent, >= 0; 0: no limit; 1e-3 */
-    double longest;        /**< length of sides of triangles, >= 0; 0: no limit; 0 */
-    double angle;          /**< of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0 */
-    double minimum_angle;  /**< of triangles inside, in radians, 0 to pi / 6; 0: no limit; 0 */
+    double chord;          /**< largest distance between shape and mesh, both ways, > 0; default INFINITY */
+    double relative_chord; /**< the same as a share of the extent, >= 0; 0: no limit; default 1e-3 */
+    double longest;        /**< largest length of sides of triangles, >= 0; 0: no limit; default 0 */
+    double angle;          /**< of triangles' corner normals, radians, 0 to pi; 0, pi: no limit; default 0 */
+    double minimum_angle;  /**< smallest of triangles inside, radians, 0 to pi / 6; 0: no limit; default 0 */
 } nurbs_mesh_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -8859,151 +9072,167 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
 
 /** \name Flags of meshes
  * @{ */
-/** \brief nurbs_mesh_triangles() and its kind: corners are points, not vertices. */
+/** \brief nurbs_mesh_triangles() and similar functions: corners are points, not vertices. */
 #define NURBS_MESH_WELDED 0x01000000u
 /** @} */
 
-/** \brief Triangles in place of a whole surface.
+/** \brief A triangle mesh of a whole surface, within proven distances.
  *
- * A mesh has **points** in space, and **vertices**: each is at a point, and has parameters and a normal of one
- * face. A point has several vertices where faces meet, along seams, at poles, and along lines where the surface
- * may have a crease: knots of full multiplicity. Triangles are of vertices, of which normals and parameters can
- * be interpolated, or, welded, of points: then two triangles at an edge of the shape have a side in common, and
- * no other triangle has it. No triangle has the index of a point twice.
+ * A mesh has **points** in space, and **vertices**: each vertex is at a point, and has parameters and a
+ * normal of one face. A point has several vertices where faces meet, along seams, at poles, and along lines
+ * where the surface may have a crease: knots of full multiplicity. The corners of triangles are vertices, of
+ * which normals and parameters can be interpolated, or, welded, points: then two triangles at an edge of the
+ * shape have a side in common, and no other triangle has that side. No triangle has the index of a point
+ * twice.
  *
  * **Both distances are proven**: no point of the shape is farther from the mesh than `from_shape`, and no
- * point of the triangles farther from the shape than `from_mesh`. Where the surface is far from a triangle
- * sideways only because it stays over the ones beside it, it is not far from the mesh. Bounds come from second
- * derivatives, of which there are bounds for all of a cell of the domain, and include what rounding may have
- * done to points and bounds. They are about the least for small tolerances, and are infinite where nothing can
- * be proven, as where weights pass through 0.
+ * point of the triangles is farther from the shape than `from_mesh`. Where the surface is far from its
+ * triangle sideways, but over the triangles beside it, it is not far from the mesh. The bounds come from
+ * second derivatives, which are bounded over a whole cell of the domain, and include what rounding may have
+ * done to points and bounds. For small tolerances they are about the least possible; they are infinite where
+ * nothing can be proven, as where weights pass through 0.
  *
- * The domain is halved into cells until two triangles over each do, along the axis that needs it more. Cells end
- * where the surface may have a crease or a jump. Vertices are at corners of cells, and cells of different sizes
- * meet without a gap, so that all points lie on the surface: they are as nurbs_eval() has them, bit for bit, at
- * the parameters of one of their vertices, and but for rounding at those of the others, from the side of the
- * triangles where the surface jumps there. Across a jump there is
- * nothing; so it is between the steps of an axis of degree 0. A side of the domain that is one point is one
- * point of the mesh (a pole), and opposite sides that are equal as to points (a closed or periodic axis) have
- * the same points: exactly equal ones here, to the tolerance of the face in nurbs_mesh_face().
+ * The domain is halved into cells until the two triangles over each keep to the limits, along the axis that
+ * needs it more. Cells end where the surface may have a crease or a jump. Vertices are at corners of cells,
+ * and cells of different sizes meet without a gap. All points lie on the surface: they are those of
+ * nurbs_eval(), bit for bit, at the parameters of one of their vertices, and up to rounding at those of the
+ * others; where the surface jumps, from the side of the triangles. Across a jump there is nothing, and
+ * neither is there between the steps of an axis of degree 0. A side of the domain that is one point is one
+ * point of the mesh (a pole), and opposite sides with equal points (a closed or periodic axis) have the same
+ * points of the mesh. Equal means exactly equal here, and equal to the tolerance of the face in
+ * nurbs_mesh_face().
  *
- * **The angle** between the normals of the surface at any two corners of a triangle (those of nurbs_mesh_vertices(),
- * from the side of the triangle) is at most `angle`, and so it is at the ends of each side for the triangles on both
- * sides of it, where the surface has no crease. Corners without a normal do not count. Besides, the domain is
- * halved until a bound of the second derivatives all over a cell says that the normal turns by no more in it: an
- * estimate, not a proof, that finds waves between the corners, and without which nothing counts as reached. No angle
- * below 1e-7 is reached, and none at places that are singular, where the normal jumps inside of a polynomial piece:
- * triangles there become as short as 1e-5 of the size of the surface. In the plane there is no angle to keep.
+ * **The angle** between the normals of the surface at any two corners of a triangle (those of
+ * nurbs_mesh_vertices(), from the side of the triangle) is at most `angle`, and so it is at the ends of each
+ * side for the triangles on both sides of it, where the surface has no crease. Corners without a normal do
+ * not count. In addition, the domain is halved until, by a bound of the second derivatives over a whole cell,
+ * the normal turns by no more in it. This is an estimate, not a proof; it finds waves between the corners,
+ * and without it nothing counts as reached. No angle below 1e-7 is reached, and none at singular places,
+ * where the normal jumps inside a polynomial piece: triangles there become as short as 1e-5 of the size of
+ * the surface. In the plane there is no angle to keep.
  *
- * **Small angles** of the triangles themselves, as they are in space: with `minimum_angle` vertices are added inside, and
- * sides flipped, until no triangle has a smaller one (Delaunay refinement: Chew 1993, Ruppert 1995, Shewchuk 2002). What is
- * given stays: points at the border do not move, and sides at the border are not divided, since they belong to edges. So a
- * triangle does not count if a corner of it is at the border or at a pole, or if the border or sides at a pole come into
- * the circle through its corners, in the middle of which its new vertex would be; nor do triangles between two sides of the
- * border that meet at a smaller angle. All others have no smaller angle where the mesh is `reached`, and those that do not
- * count are made better where they can be. Seams and lines at which there may be a crease are divided, but not crossed.
- * Distances are proven of the triangles that there are in the end, and come first: where the work is not enough for angles,
- * they are what they are without. There are as many as squares would be in place of
- * long and thin triangles, and few more; it ends at a multiple of that number, which is not enough where lengths of the
- * surface change a lot within a triangle, as where it is crumpled: a smaller `chord` helps. Quads are what is left of cells.
+ * **Small angles** of the triangles themselves, as they are in space: with `minimum_angle`, vertices are
+ * added inside and sides are flipped until no triangle has a smaller angle (Delaunay refinement: Chew 1993,
+ * Ruppert 1995, Shewchuk 2002). What is given stays: points at the border do not move, and sides at the
+ * border are not divided, since they belong to edges. So a triangle does not count if one of its corners is
+ * at the border or at a pole, or if the border or sides at a pole come into its circumcircle, at whose centre
+ * its new vertex would be; nor do triangles between two sides of the border that meet at a smaller angle. All
+ * others have no smaller angle where the mesh is `reached`, and those that do not count are improved where
+ * possible. Seams and lines at which there may be a crease are divided, but not crossed. Distances are proven
+ * for the final triangles, and come first: if the work is not enough for angles, the distances are those of
+ * the mesh without this limit. There are about as many triangles as if squares took the place of long and
+ * thin triangles, and few more. The refinement ends at a multiple of that number, which is not enough where
+ * lengths of the surface change a lot within a triangle, as where it is crumpled: a smaller `chord` helps.
+ * Quads are the cells that are left.
  *
  * Triangles are counterclockwise about the normal S_u x S_v. Powers of two in the unit of length change
- * nothing but sizes, and the same shape has the same mesh on every machine of one kind. Where no limit of work is
- * given there is one of about two million triangles of surfaces, of fewer where many of them are between edges, and
- * more for many control points.
+ * nothing but sizes, and the same shape has the same mesh on every machine of one kind. If no limit of work
+ * is given there is one of about two million triangles of surfaces, fewer where many of them are between
+ * edges, and more for many control points.
  *
- * Costs: about two microseconds and 250 bytes for a triangle.
+ * Costs: about two microseconds and 250 bytes for each triangle.
  * \param[in] g a surface of dimension 2 or 3.
  * \param[in] options or NULL for the defaults: limits.
  * \param[out] out the new mesh, of one face and no edges.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OPTIONS; _TOLERANCE if chord is not > 0, if
- *   relative_chord is not finite or < 0, or if there is no limit at all, _LENGTH if longest is not finite or < 0,
- *   _ANGLE if angle is not from 0 to pi, or minimum_angle not from 0 to pi / 6, _OVERFLOW if there are 2^31 vertices or
- *   more.
+ *   relative_chord is not finite or < 0, or if there is no limit at all, _LENGTH if longest is not finite or
+ *   < 0, _ANGLE if angle is not from 0 to pi, or minimum_angle not from 0 to pi / 6, _OVERFLOW if there are
+ *   2^31 vertices or more.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface(const nurbs *g, const nurbs_mesh_options *options,
                                           nurbs_mesh **out);
 
-/** \brief nurbs_mesh_surface() as a call that can be watched and ended. What would take
- * more than the limit of work is made for larger distances, equally all over, with those that are proven of it, and
- * `reached` is 0.
+/** \brief nurbs_mesh_surface() with progress reports, cancellation and a limit of work.
+ *
+ * What would exceed the limit of work is meshed for larger distances, equally all over. The distances of the
+ * mesh are those proven of it, and `reached` is 0.
  * \param[in] g,options as for nurbs_mesh_surface().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new mesh.
  * \return as for nurbs_mesh_surface(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface_with(const nurbs *g, const nurbs_mesh_options *options,
                                                const nurbs_call_options *call, nurbs_mesh **out);
 
-/** \brief Triangles in place of a trimmed face: cells as of nurbs_mesh_surface() inside, and between these and
- * the border a constrained Delaunay triangulation. The border is of polylines of the edges of the face
- * (nurbs_mesh_curve()), whose points lie on the edge, and whose sides are between places of the curve in the
- * domain; `angle` limits that of their tangents as well as that of normals. How far these places are from the edge, which is at most the tolerance of the face, is in the bounds.
+/** \brief A triangle mesh of a trimmed face, within proven distances.
+ *
+ * Inside the face it has the cells of nurbs_mesh_surface(), and between these and the border a constrained
+ * Delaunay triangulation. The border consists of polylines of the edges of the face (nurbs_mesh_curve()).
+ * Their points lie on the edge, and their sides join places of the curve in the domain; `angle` limits the
+ * angle of their tangents as well as that of normals. How far these places are from the edge, which is at
+ * most the tolerance of the face, is included in the bounds.
  * \param[in] face a face of a surface of dimension 2 or 3.
  * \param[in] options or NULL for the defaults: limits.
- * \param[out] out the new mesh: of one face; its edges are those of the model of nurbs_model_create() with this face
- *   alone, and behind them such as belong to the face only.
+ * \param[out] out the new mesh, of one face. Its edges are those of the model that nurbs_model_create() makes
+ *   of this face alone, followed by those that belong to the face only.
  * \return as for nurbs_mesh_surface(); _NOT_REPRESENTABLE if a curve in space that bounds the face overflows.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_face(const nurbs_face *face, const nurbs_mesh_options *options,
                                        nurbs_mesh **out);
 
-/** \brief nurbs_mesh_face() as a call that can be watched and ended; the limit of work is as for
- * nurbs_mesh_surface_with().
+/** \brief nurbs_mesh_face() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_mesh_surface_with().
  * \param[in] face,options as for nurbs_mesh_face().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new mesh.
  * \return as for nurbs_mesh_face(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_face_with(const nurbs_face *face, const nurbs_mesh_options *options,
                                             const nurbs_call_options *call, nurbs_mesh **out);
 
-/** \brief Triangles in place of all faces of a model, as of nurbs_mesh_face(). Each edge is one polyline, and all
- * faces at it have its points: the mesh of a solid is closed. Faces keep their order, and are in the coordinates
- * of their parts, once for each part and not for each of its uses: nurbs_model_instances() says where they stand in
- * the whole. Triangles are counterclockwise about the normal of the surface also where that points into
- * a solid: nurbs_model_face() tells that (`against`).
+/** \brief A triangle mesh of all faces of a model, within proven distances.
+ *
+ * Faces are meshed as by nurbs_mesh_face(). Each edge is one polyline, and all faces at it have its points:
+ * the mesh of a solid is closed. Faces keep their order, and are in the coordinates of their parts, once for
+ * each part and not for each of its uses: nurbs_model_instances() says where they stand in the whole.
+ * Triangles are counterclockwise about the normal of the surface even where that points into a solid, which
+ * `against` of nurbs_model_face() tells.
  * \param[in] model a model.
  * \param[in] options or NULL for the defaults: limits.
- * \param[out] out the new mesh: faces and edges in the order of the model, and behind the edges such as belong to one
- *   face only.
+ * \param[out] out the new mesh: faces and edges in the order of the model, followed by edges that belong to
+ *   one face only.
  * \return as for nurbs_mesh_face().
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_model(const nurbs_model *model, const nurbs_mesh_options *options,
                                         nurbs_mesh **out);
 
-/** \brief nurbs_mesh_model() as a call that can be watched and ended; the limit of work is as for
- * nurbs_mesh_surface_with().
+/** \brief nurbs_mesh_model() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_mesh_surface_with().
  * \param[in] model,options as for nurbs_mesh_model().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new mesh.
  * \return as for nurbs_mesh_model(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nurbs_mesh_options *options,
                                              const nurbs_call_options *call, nurbs_mesh **out);
 
-/** \brief Meshes of a whole surface for several distances, as programs that draw want them: each is as
- * nurbs_mesh_surface() makes it with `chord` = chords[i] and `relative_chord` = 0, bit for bit, unless it comes to a
- * limit of work. Points of one mesh need not be points of another one. One mesh may stand for two equal distances. On
- * failure all handles are NULL.
+/** \brief Meshes of a whole surface for several distances, as levels of detail for drawing.
  *
- * What takes most of the time is the proof of every triangle, which no other mesh has, so that several meshes take
- * about as long as as many calls. Halving the distance doubles the number of triangles: four such meshes take twice
- * as long as the finest one.
+ * Each mesh is the one that nurbs_mesh_surface() makes with `chord` = chords[i] and `relative_chord` = 0, bit
+ * for bit, unless it comes to a limit of work. Points of one mesh need not be points of another one. One mesh
+ * may stand for two equal distances. On failure all handles are NULL.
+ *
+ * Most of the time goes into the proof of every triangle, which no other mesh has, so that several meshes
+ * take about as long as separate calls. Halving the distance doubles the number of triangles: four such
+ * meshes take twice as long as the finest one.
  * \param[in] g a surface of dimension 2 or 3.
  * \param[in] count number of distances, 0 to 4096.
- * \param[in] chords [count], in any order: the largest distances, each > 0; infinite for no limit, if there is another one.
- * \param[in] options or NULL for the defaults: all other limits. `chord` and `relative_chord` are not looked at.
+ * \param[in] chords [count], in any order: the largest distances, each > 0; infinite for no limit, if there
+ *   is another one.
+ * \param[in] options or NULL for the defaults: all other limits. `chord` and `relative_chord` are ignored.
  * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_surface(), and NURBS_ERROR_COUNT if count is < 0 or > 4096.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_surface_levels(const nurbs *g, int64_t count, const double *chords,
                                                  const nurbs_mesh_options *options, nurbs_mesh **out);
 
-/** \brief nurbs_mesh_surface_levels() as a call that can be watched and ended. A limit of work is one of all meshes
- * together, the coarsest of which is made first.
+/** \brief nurbs_mesh_surface_levels() with progress reports, cancellation and a limit of work.
+ *
+ * A limit of work is one for all meshes together; the coarsest one is made first.
  * \param[in] g,count,chords,options as for nurbs_mesh_surface_levels().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_surface_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -9011,7 +9240,9 @@ NURBS_API nurbs_status nurbs_mesh_surface_levels_with(const nurbs *g, int64_t co
                                                       const nurbs_mesh_options *options,
                                                       const nurbs_call_options *call, nurbs_mesh **out);
 
-/** \brief Meshes of a trimmed face for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_face().
+/** \brief Meshes of a trimmed face for several distances, as nurbs_mesh_surface_levels().
+ *
+ * Each mesh is one of nurbs_mesh_face().
  * \param[in] face a face of a surface of dimension 2 or 3.
  * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
  * \param[out] out [count]: the new meshes, in the order of chords.
@@ -9020,10 +9251,11 @@ NURBS_API nurbs_status nurbs_mesh_surface_levels_with(const nurbs *g, int64_t co
 NURBS_API nurbs_status nurbs_mesh_face_levels(const nurbs_face *face, int64_t count, const double *chords,
                                               const nurbs_mesh_options *options, nurbs_mesh **out);
 
-/** \brief nurbs_mesh_face_levels() as a call that can be watched and ended; the limit of work is as for
- * nurbs_mesh_surface_levels_with().
+/** \brief nurbs_mesh_face_levels() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_mesh_surface_levels_with().
  * \param[in] face,count,chords,options as for nurbs_mesh_face_levels().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_face_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -9031,8 +9263,9 @@ NURBS_API nurbs_status nurbs_mesh_face_levels_with(const nurbs_face *face, int64
                                                    const double *chords, const nurbs_mesh_options *options,
                                                    const nurbs_call_options *call, nurbs_mesh **out);
 
-/** \brief Meshes of all faces of a model for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_model().
- * Each of the meshes of a solid is closed.
+/** \brief Meshes of all faces of a model for several distances, as nurbs_mesh_surface_levels().
+ *
+ * Each mesh is one of nurbs_mesh_model(), and that of a solid is closed.
  * \param[in] model a model.
  * \param[in] count,chords,options as for nurbs_mesh_surface_levels().
  * \param[out] out [count]: the new meshes, in the order of chords.
@@ -9041,10 +9274,11 @@ NURBS_API nurbs_status nurbs_mesh_face_levels_with(const nurbs_face *face, int64
 NURBS_API nurbs_status nurbs_mesh_model_levels(const nurbs_model *model, int64_t count, const double *chords,
                                                const nurbs_mesh_options *options, nurbs_mesh **out);
 
-/** \brief nurbs_mesh_model_levels() as a call that can be watched and ended; the limit of work is as for
- * nurbs_mesh_surface_levels_with().
+/** \brief nurbs_mesh_model_levels() with progress reports, cancellation and a limit of work.
+ *
+ * The limit of work is as for nurbs_mesh_surface_levels_with().
  * \param[in] model,count,chords,options as for nurbs_mesh_model_levels().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out [count]: the new meshes, in the order of chords.
  * \return as for nurbs_mesh_model_levels(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -9052,46 +9286,52 @@ NURBS_API nurbs_status nurbs_mesh_model_levels_with(const nurbs_model *model, in
                                                     const double *chords, const nurbs_mesh_options *options,
                                                     const nurbs_call_options *call, nurbs_mesh **out);
 
-/** \brief Hexahedra in place of a volume in space, on a grid of lines along its axes.
+/** \brief A mesh of hexahedra of a volume in space, on a grid of lines along its axes.
  *
- * Each hexahedron is the trilinear map between its eight corners. **Distances are proven**: no point of the volume is
- * farther from the point of its hexahedron at the same parameters than `from_shape` of nurbs_mesh_bound(), and so no
- * point of a hexahedron farther from the volume (`from_mesh` is the same). With h_k the lengths of a hexahedron in the
- * parameters,
+ * Each hexahedron is the trilinear map between its eight corners. **Distances are proven**: no point of the
+ * volume is farther from the point of its hexahedron at the same parameters than `from_shape` of
+ * nurbs_mesh_bound(), and so no point of a hexahedron is farther from the volume (`from_mesh` is the same).
+ * With h_k the lengths of a hexahedron in the parameters,
  *
  *     |V - trilinear| <= sum_k h_k^2 / 8 max |d^2 V / dt_k^2|,
  *
- * where the maxima are bounds by control points of each part of a piece, which are about the least for small
- * tolerances; what rounding may have done is included. It is infinite where weights may pass through 0.
+ * where the maxima are bounded by the control points of each part of a piece; these bounds are about the
+ * least possible for small tolerances, and rounding is included. The distance is infinite where weights may
+ * pass through 0.
  *
- * Lines are at all knots, and between them evenly in the parameter, each axis by itself: about as many as make the
- * number of hexahedra least. Points lie on the volume, as nurbs_eval() has them bit for bit at their parameters, and
- * neighbours have theirs in common: each side inside is one of two hexahedra. Where the volume jumps at a knot each side
- * has points of its own, the limits from there. A periodic axis is closed, and so is one whose two ends have the same
- * control points and weights bit for bit: the last points are the first. Where a side of the volume collapses along an
- * axis, so that its control points are the same bit for bit and their weights in proportion, its points are the same too:
- * hexahedra there have a corner several times. Control points that are equal but for rounding do not make points one.
+ * Lines are at all knots, and between them evenly spaced in the parameter, on each axis by itself: about as
+ * many as make the number of hexahedra least. Points lie on the volume: they are those of nurbs_eval() at
+ * their parameters, bit for bit, and neighbours share theirs, so that each side inside belongs to two
+ * hexahedra. Where the volume jumps at a knot, each side has points of its own, the limits from there. A
+ * periodic axis is closed, and so is one whose two ends have the same control points and weights bit for bit:
+ * the last points are the first. Where a side of the volume collapses along an axis, so that its control
+ * points are the same bit for bit and their weights in proportion, its points are the same, too: hexahedra
+ * there have a corner several times. Control points that are equal only up to rounding do not make points
+ * one.
  *
- * nurbs_mesh_points() has the points, nurbs_mesh_hexahedra() the rest; there are no vertices and no triangles, and one
- * face, which is the whole.
+ * nurbs_mesh_points() returns the points, nurbs_mesh_hexahedra() the rest; there are no vertices and no
+ * triangles, and one face, which is the whole.
  *
- * Costs: about a microsecond for a hexahedron, and some 10 us for a piece.
+ * Costs: about a microsecond for each hexahedron, and some 10 us for each piece.
  * \param[in] g a volume of dimension 3 whose degrees are at least 1 (nurbs_elevate() raises others).
- * \param[in] options or NULL for the defaults: limits, of which `longest` is that of sides of hexahedra, and `angle` has
- *   to be 0.
- * \param[in] limit most hexahedra, 0 for 2^20: lines are farther apart than asked for rather than that there are more,
- *   and `reached` of nurbs_mesh_bound() is 0; but there is one for each polynomial piece at least.
+ * \param[in] options or NULL for the defaults: limits, of which `longest` is that of sides of hexahedra;
+ *   `angle` and `minimum_angle` have to be 0.
+ * \param[in] limit the most hexahedra, 0 for 2^20. If more were needed, lines are farther apart than asked
+ *   for, and `reached` of nurbs_mesh_bound() is 0; but there is at least one hexahedron for each polynomial
+ *   piece.
  * \param[out] out the new mesh.
- * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0, _ANGLE if angle or minimum_angle is not 0; _NOT_REPRESENTABLE
- *   if the control points of a side overflow.
+ * \return as for nurbs_mesh_surface(), with _DEGREE for an axis of degree 0, _COUNT if limit is < 0, _ANGLE
+ *   if angle or minimum_angle is not 0; _NOT_REPRESENTABLE if the control points of a side overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_volume(const nurbs *g, const nurbs_mesh_options *options, int64_t limit,
                                          nurbs_mesh **out);
 
-/** \brief nurbs_mesh_volume() as a call that can be watched and ended. The limit of work ends it with
- * NURBS_ERROR_WORK, but for the folds of nurbs_mesh_hexahedra(), which stay undecided.
+/** \brief nurbs_mesh_volume() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work it returns NURBS_ERROR_WORK, unless only the folds of nurbs_mesh_hexahedra() are left,
+ * which then stay undecided.
  * \param[in] g,options,limit as for nurbs_mesh_volume().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new mesh.
  * \return as for nurbs_mesh_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -9111,23 +9351,24 @@ NURBS_API nurbs_status nurbs_mesh_clone(const nurbs_mesh *mesh, nurbs_mesh **out
  * \since 1.1 */
 NURBS_API void nurbs_mesh_destroy(nurbs_mesh *mesh);
 
-/** \brief How much a mesh holds.
+/** \brief The numbers of points, vertices, triangles, faces and edges of a mesh.
  * \param[in] mesh a mesh.
  * \param[out] points or NULL: number of points.
  * \param[out] vertices or NULL: number of vertices.
  * \param[out] triangles or NULL: number of triangles.
  * \param[out] faces or NULL: number of faces.
  * \param[out] edges or NULL: number of polylines of edges.
- * \param[out] edge_points or NULL: number of their vertices, all together.
+ * \param[out] edge_points or NULL: number of vertices of all these polylines together.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_counts(const nurbs_mesh *mesh, int64_t *points, int64_t *vertices,
                                          int64_t *triangles, int64_t *faces, int64_t *edges,
                                          int64_t *edge_points);
 
-/** \brief How far a mesh and its shape are from each other: the most of all faces.
+/** \brief How far a mesh and its shape are from each other: the largest distances of all faces.
  * \param[in] mesh a mesh.
- * \param[out] from_shape or NULL: no point of the shape is farther from the mesh; INFINITY: nothing is proven.
+ * \param[out] from_shape or NULL: no point of the shape is farther from the mesh; INFINITY: nothing is
+ *   proven.
  * \param[out] from_mesh or NULL: no point of the mesh is farther from the shape; INFINITY: nothing is proven.
  * \param[out] reached or NULL: 1 if all that was asked for is proven of all faces and edges; else 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
@@ -9144,8 +9385,9 @@ NURBS_API nurbs_status nurbs_mesh_bound(const nurbs_mesh *mesh, double *from_sha
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_points(const nurbs_mesh *mesh, int64_t cap, double *points, int64_t *count);
 
-/** \brief nurbs_mesh_points() in single precision, each number rounded once to the nearest float. Coordinates beyond
- * the range of float become infinities.
+/** \brief nurbs_mesh_points() in single precision.
+ *
+ * Each number is rounded once to the nearest float. Coordinates beyond the range of float become infinities.
  * \param[in] mesh,cap as for nurbs_mesh_points().
  * \param[out] points [cap][3] or NULL: in space.
  * \param[out] count or NULL: number of points.
@@ -9154,21 +9396,22 @@ NURBS_API nurbs_status nurbs_mesh_points(const nurbs_mesh *mesh, int64_t cap, do
 NURBS_API nurbs_status nurbs_mesh_points_f32(const nurbs_mesh *mesh, int64_t cap, float *points,
                                              int64_t *count);
 
-/** \brief The vertices of a mesh, those of each face one after the other.
+/** \brief The vertices of a mesh, face by face.
  * \param[in] mesh a mesh.
  * \param[in] cap length of the outputs: 0, or at least the number of vertices.
- * \param[out] own_points [cap] or NULL: the point at which each is, 0-based.
+ * \param[out] own_points [cap] or NULL: the point at which each vertex is, 0-based.
  * \param[out] params [cap][2] or NULL: parameters of the surface of the face.
- * \param[out] normals [cap][3] or NULL: S_u x S_v, of length 1, from the side of the triangles; NaN where there is none,
- *   as at the tip of a cone.
+ * \param[out] normals [cap][3] or NULL: S_u x S_v, of length 1, from the side of the triangles; NaN where
+ *   there is none, as at the tip of a cone.
  * \param[out] count or NULL: number of vertices.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_vertices(const nurbs_mesh *mesh, int64_t cap, int64_t *own_points,
                                            double *params, double *normals, int64_t *count);
 
-/** \brief The vertices of a mesh as programs that draw want them, in single precision: with their points in
- * place of numbers of points. Each number is rounded once to the nearest float.
+/** \brief The vertices of a mesh in single precision, with their points instead of indices, as for drawing.
+ *
+ * Each number is rounded once to the nearest float.
  * \param[in] mesh,cap as for nurbs_mesh_vertices().
  * \param[out] points [cap][3] or NULL: in space; what is beyond the range of float becomes infinite.
  * \param[out] params [cap][2] or NULL: parameters of the surface of the face.
@@ -9179,19 +9422,19 @@ NURBS_API nurbs_status nurbs_mesh_vertices(const nurbs_mesh *mesh, int64_t cap, 
 NURBS_API nurbs_status nurbs_mesh_vertices_f32(const nurbs_mesh *mesh, int64_t cap, float *points,
                                                float *params, float *normals, int64_t *count);
 
-/** \brief The triangles of a mesh, those of each face one after the other.
+/** \brief The triangles of a mesh, face by face.
  * \param[in] mesh a mesh.
  * \param[in] flags NURBS_MESH_WELDED or 0.
  * \param[in] cap length of corners: 0, or at least the number of triangles.
- * \param[out] corners [cap][3] or NULL: vertices, or with NURBS_MESH_WELDED points, 0-based, counterclockwise about the
- *   normal.
+ * \param[out] corners [cap][3] or NULL: vertices, or with NURBS_MESH_WELDED points, 0-based, counterclockwise
+ *   about the normal.
  * \param[out] count or NULL: number of triangles.
  * \return NURBS_OK, NURBS_ERROR_NULL, _FLAGS, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_triangles(const nurbs_mesh *mesh, uint32_t flags, int64_t cap,
                                             int64_t *corners, int64_t *count);
 
-/** \brief nurbs_mesh_triangles() in 32 bits.
+/** \brief nurbs_mesh_triangles() with indices of 32 bits.
  * \param[in] mesh,flags,cap as for nurbs_mesh_triangles().
  * \param[out] corners [cap][3] or NULL: as of nurbs_mesh_triangles().
  * \param[out] count or NULL: number of triangles.
@@ -9200,34 +9443,37 @@ NURBS_API nurbs_status nurbs_mesh_triangles(const nurbs_mesh *mesh, uint32_t fla
 NURBS_API nurbs_status nurbs_mesh_triangles_i32(const nurbs_mesh *mesh, uint32_t flags, int64_t cap,
                                                 int32_t *corners, int64_t *count);
 
-/** \brief The quads of a mesh: pairs of triangles that are all of a cell of the domain, which has no vertex of another cell
- * on its sides.
+/** \brief The quads of a mesh: cells of the domain that are divided into exactly two triangles.
  *
- * The two triangles of a quad are 0, 1, 2 and 0, 2, 3 of its corners (each begins with any of these), as programs divide
- * quads, and for these the distances of nurbs_mesh_bound() are proven: not for a bilinear patch, nor for the other diagonal.
- * They are one after the other in nurbs_mesh_triangles(); all others are triangles between cells of different sizes,
- * at poles and along the border of a trimmed face, and stay triangles in a mesh of both.
+ * Such a cell has no vertex of another cell on its sides. The two triangles of a quad are 0, 1, 2 and 0, 2, 3
+ * of its corners (each may begin with any of its three), as programs divide quads, and for these the
+ * distances of nurbs_mesh_bound() are proven: not for a bilinear patch, nor for the other diagonal. They
+ * follow each other in nurbs_mesh_triangles(). All other triangles, between cells of different sizes, at
+ * poles and along the border of a trimmed face, stay triangles in a mesh of both.
  * \param[in] mesh a mesh.
  * \param[in] flags NURBS_MESH_WELDED or 0.
  * \param[in] cap length of the outputs: 0, or at least the number of quads.
- * \param[out] corners [cap][4] or NULL: vertices, or with NURBS_MESH_WELDED points, 0-based, counterclockwise about the
- *   normal.
- * \param[out] own_triangles [cap] or NULL: the first triangle of each quad, rising, 0-based; the next one is the second.
+ * \param[out] corners [cap][4] or NULL: vertices, or with NURBS_MESH_WELDED points, 0-based, counterclockwise
+ *   about the normal.
+ * \param[out] own_triangles [cap] or NULL: the first triangle of each quad, rising, 0-based; the next one is
+ *   the second.
  * \param[out] count or NULL: number of quads.
  * \return NURBS_OK, NURBS_ERROR_NULL, _FLAGS, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_quads(const nurbs_mesh *mesh, uint32_t flags, int64_t cap, int64_t *corners,
                                         int64_t *own_triangles, int64_t *count);
 
-/** \brief What of a mesh stands for which face.
+/** \brief Which vertices and triangles of a mesh belong to which face, and how near these are.
  * \param[in] mesh a mesh.
  * \param[in] cap length of the outputs: 0, or at least the number of faces.
  * \param[out] first_vertices [cap] or NULL: the first vertex, 0-based.
  * \param[out] vertex_counts [cap] or NULL: the number of vertices.
  * \param[out] first_triangles [cap] or NULL: the first triangle, 0-based.
  * \param[out] triangle_counts [cap] or NULL: the number of triangles.
- * \param[out] from_shape [cap] or NULL: no point of the face is farther from its triangles; INFINITY: nothing is proven.
- * \param[out] from_mesh [cap] or NULL: no point of its triangles is farther from the face; INFINITY: nothing is proven.
+ * \param[out] from_shape [cap] or NULL: no point of the face is farther from its triangles; INFINITY: nothing
+ *   is proven.
+ * \param[out] from_mesh [cap] or NULL: no point of its triangles is farther from the face; INFINITY: nothing
+ *   is proven.
  * \param[out] reaches [cap] or NULL: 1 if all that was asked for is proven; else 0.
  * \param[out] count or NULL: number of faces.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
@@ -9241,10 +9487,10 @@ NURBS_API nurbs_status nurbs_mesh_faces(const nurbs_mesh *mesh, int64_t cap, int
  * \param[in] mesh a mesh.
  * \param[in] cap length of the outputs: 0, or at least the number of polylines.
  * \param[out] own_edges [cap] or NULL: the edge of the model, 0-based; -1: one that belongs to one face only.
- * \param[out] firsts [cap] or NULL: its first one of nurbs_mesh_edge_points(), 0-based.
+ * \param[out] firsts [cap] or NULL: its first vertex in nurbs_mesh_edge_points(), 0-based.
  * \param[out] sizes [cap] or NULL: the number of its vertices.
- * \param[out] bounds [cap] or NULL: no point of the edge is farther from the polyline, and none of that from the edge;
- *   INFINITY: nothing is proven.
+ * \param[out] bounds [cap] or NULL: no point of the edge is farther from the polyline, and none of the
+ *   polyline from the edge; INFINITY: nothing is proven.
  * \param[out] reaches [cap] or NULL: 1 if all that was asked for is proven; else 0.
  * \param[out] count or NULL: number of polylines.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
@@ -9253,7 +9499,7 @@ NURBS_API nurbs_status nurbs_mesh_edges(const nurbs_mesh *mesh, int64_t cap, int
                                         int64_t *firsts, int64_t *sizes, double *bounds, int32_t *reaches,
                                         int64_t *count);
 
-/** \brief The vertices of the polylines that stand for edges in a mesh: each from the start of its edge to the end.
+/** \brief The vertices of the polylines for edges in a mesh, each from the start of its edge to the end.
  * \param[in] mesh a mesh.
  * \param[in] cap length of own_points: 0, or at least their number.
  * \param[out] own_points [cap] or NULL: points of the mesh, 0-based.
@@ -9265,56 +9511,62 @@ NURBS_API nurbs_status nurbs_mesh_edge_points(const nurbs_mesh *mesh, int64_t ca
 
 /** \brief The hexahedra of a mesh of nurbs_mesh_volume(), last axis fastest.
  *
- * Corners are in the order of VTK_HEXAHEDRON (cell type 12), with the first axis of the volume as the first one there:
- * of the lower (0) and upper (1) ends of a hexahedron along the axes they are at 000, 100, 110, 010, 001, 101, 111, 011.
- * Where the Jacobian of the volume is positive that is the order of a hexahedron that is not turned inside out.
+ * Corners are in the order of VTK_HEXAHEDRON (cell type 12), with the first axis of the volume as the first
+ * one there. By the lower (0) and upper (1) ends of a hexahedron along the axes they are at 000, 100, 110,
+ * 010, 001, 101, 111, 011. Where the Jacobian of the volume is positive, that is the order of a hexahedron
+ * that is not turned inside out.
  * \param[in] mesh a mesh.
  * \param[in] cap length of the outputs: 0, or at least the number of hexahedra.
  * \param[out] corners [cap][8] or NULL: points of the mesh, 0-based.
- * \param[out] domains [cap][3][2] or NULL: the ends of each hexahedron along each axis of the volume.
- * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant: whether the volume, over this part of its domain, folds;
- *   undecided is what 64 halvings do not decide.
- * \param[out] signs [cap] or NULL: 1 or -1, the sign that the Jacobian of the volume is proven to have wherever in this part
- *   it is not 0, if there is no fold; else 0.
+ * \param[out] domains [cap][3][2] or NULL: lower and upper end of each hexahedron along each axis of the
+ *   volume.
+ * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant: whether the volume folds over this part of its
+ *   domain; undecided is what 64 halvings do not decide.
+ * \param[out] signs [cap] or NULL: if there is no fold, 1 or -1, the sign that the Jacobian of the volume is
+ *   proven to have wherever in this part it is not 0; else 0.
  * \param[out] count or NULL: number of hexahedra.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_hexahedra(const nurbs_mesh *mesh, int64_t cap, int64_t *corners,
                                             double *domains, int32_t *folds, int32_t *signs, int64_t *count);
 
-/** \brief A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that neighbours
- * have in common. Cells are the pieces of nurbs_bezier_pieces(), in their order, and have its degrees and domains; they
- * name their control points by places in nurbs_bezier_cell_points().
+/** \brief A spline as Bezier cells, exactly: its polynomial (rational) pieces, which share control points.
  *
- * Each cell has its M = (p_0 + 1)(p_1 + 1)... control points in the order of VTK_BEZIER_CURVE, _QUADRILATERAL and
- * _HEXAHEDRON, that of VTK 9 (files of version 2.1 and later), with the axes of g as the axes there: the corners, then
- * what is inside of edges, of sides, and of the cell, each in the order of its parameters, first axis fastest.
+ * Cells are the pieces of nurbs_bezier_pieces(), in their order, with their degrees and domains. They name
+ * their control points by indices into nurbs_bezier_cell_points().
+ *
+ * Each cell has its M = (p_0 + 1)(p_1 + 1)... control points in the order of VTK_BEZIER_CURVE, _QUADRILATERAL
+ * and _HEXAHEDRON, that of VTK 9 (files of version 2.1 and later), with the axes of g as the axes there: the
+ * corners, then the inner points of edges, of sides, and of the cell, each in the order of its parameters,
+ * first axis fastest.
  *
  *     corners: as of nurbs_mesh_hexahedra(), the first 2 or 4 of these in cells of fewer axes
- *     edges:   along the axes 0, 1, 0, 1 from corner 0 to 1, 1 to 2, 3 to 2, 0 to 3; the same from 4 to 5, 5 to 6, 7 to
- *              6, 4 to 7; along axis 2 from 0 to 4, 1 to 5, 2 to 6, 3 to 7
+ *     edges:   along the axes 0, 1, 0, 1 from corner 0 to 1, 1 to 2, 3 to 2, 0 to 3; the same from 4 to 5,
+ *              5 to 6, 7 to 6, 4 to 7; along axis 2 from 0 to 4, 1 to 5, 2 to 6, 3 to 7
  *     sides:   the lower and the upper end of axis 0, of axis 1, of axis 2
  *
- * VTK takes degrees from an array HigherOrderDegrees of cells, unless all of a cell are the same, and weights from an array
- * RationalWeights of points.
+ * VTK takes degrees from an array HigherOrderDegrees of cells, unless all degrees of a cell are the same, and
+ * weights from an array RationalWeights of points.
  *
- * Control points that neighbours have in common are one, unless g jumps between them. A periodic axis is closed, and so
- * is one whose ends have the same control points and weights bit for bit: the last ones are the first. Sides that collapse
- * keep all of their control points, since weights differ there.
+ * Control points that neighbours have in common are one, unless g jumps between them. A periodic axis is
+ * closed, and so is one whose ends have the same control points and weights bit for bit: the last ones are
+ * the first. Sides that collapse keep all of their control points, since weights differ there.
  * \param[in] g a spline whose degrees are at least 1 (nurbs_elevate() raises others).
  * \param[in] cap length of own_points: 0, or at least the number of cells.
  * \param[out] own_points [cap][M] or NULL: control points of each cell, 0-based.
- * \param[out] kind or NULL: what VTK calls such cells: 75 for a curve, 77 for a surface, 79 for a volume.
+ * \param[out] kind or NULL: the type of such cells in VTK: 75 for a curve, 77 for a surface, 79 for a volume.
  * \param[out] points or NULL: number of control points.
  * \param[out] count or NULL: number of cells.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _DEGREE for an axis of degree 0, _SIZE if cap is
- *   neither 0 nor enough; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP; _DEGREE for an axis of degree 0, _SIZE if
+ *   cap is neither 0 nor enough; _NOT_REPRESENTABLE, _WEIGHTS_VANISH as for nurbs_insert_knot().
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_bezier_cells(const nurbs *g, int64_t cap, int64_t *own_points, int32_t *kind,
                                           int64_t *points, int64_t *count);
 
-/** \brief The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit for bit, each
- * once; those of a seam as the first cell has them.
+/** \brief The control points of nurbs_bezier_cells(), last axis fastest.
+ *
+ * They are those of nurbs_bezier_pieces(), bit for bit, each once; those of a seam are as the first cell has
+ * them.
  * \param[in] g a spline whose degrees are at least 1.
  * \param[in] cap length of the arrays: 0, or at least the number of control points.
  * \param[out] points [cap][dim] or NULL: the control points, packed.
@@ -9337,63 +9589,67 @@ NURBS_API nurbs_status nurbs_bezier_cell_points(const nurbs *g, int64_t cap, dou
  * }
  * nurbs_model_destroy(model);
  * \endcode
- * Models and lists of splines as files that other programs read. The same model is the same bytes on every
- * machine, but for the last digits of arcs (100, 104) in IGES, which come from its sine and cosine: files name no
- * time, no path and no user.
+ * Writes models, lists of splines and meshes as files for other programs. The same model gives the same
+ * bytes on every machine, except for the last digits of arcs (100, 104) in IGES, which come from its sine and
+ * cosine: files contain no time, no path and no user.
  *
  * **STEP** (ISO 10303-21, AP214). Faces become advanced faces with the edges and vertices that they share, in
- * solids where every edge is used once in each direction, else in shells; voids of a solid that was read stay its
- * own; edges that no face uses become
- * wires, and splines of a model or a list geometric sets, of which curves of dimension 2 have one of their own, in
- * parameters that have no unit. Surfaces and edges that were elementary in a file
- * are elementary again, all others B-splines. Parts become products, and their uses assemblies; a use that is
- * a mirror image or a scaling becomes a mapped item; where parts stand in the whole other than each once and
- * unmoved, the whole becomes one more product. Numbers have all digits that they need, so that
- * nurbs_read_model() and nurbs_read() give knots, points and weights back bit for bit, and names, colours, layers,
- * kinds, parts, uses, edges and vertices; not so
+ * solids where every edge is used exactly once in each direction, else in shells; voids of a solid that was
+ * read stay its own. Edges that no face uses become wires. Splines of a model or a list become geometric
+ * sets; curves of dimension 2 have a set of their own, in parameters that have no unit. Surfaces and edges
+ * that were elementary in a file are elementary again, all others become B-splines. Parts become products,
+ * and their uses assemblies; a use that is a mirror image or a scaling becomes a mapped item. If parts stand
+ * in the whole other than each once and unmoved, the whole becomes one more product. Numbers have all digits
+ * that they need, so that nurbs_read_model() and nurbs_read() return knots, points and weights bit for bit,
+ * and names, colours, layers, kinds, parts, uses, edges and vertices. This does not hold for
  * - lengths in another unit than that of the model;
  * - the mark of a periodic axis, whose knots and points stay (nurbs_detect_periodic());
- * - homogeneous points, which are divided by their weights, and weights that are all equal, which are left out;
+ * - homogeneous points, which are divided by their weights, and weights that are all equal, which are left
+ *   out;
  * - curves in the domains of other surfaces than splines, and those of faces with larger tolerances than the
- *   file that are not under their edges at equal parameters to that, which readers make anew;
+ *   file that are not under their edges at equal parameters to the tolerance of the file: readers make them
+ *   anew;
  * - parametrizations of curves in domains, which become those of their edges;
  * - blanks around names of faces and splines, control characters, which become '?', and empty names, which
  *   become "#" and the number of their entity;
  * - gaps of loops that were kept (NURBS_KEEP_GAPS): the segments that close them become edges.
  *
- * **IGES** (5.3, fixed-length form). Faces (510) with loops (508) share the edges and vertices of one list each
- * (504, 502), in solids (186) with their voids where every edge is used once in each direction, else in open shells
- * (514). Edges
- * that no face uses stand in the list only, which other programs may not show. Splines of a model or a list are
- * entities 126 and 128, in their order, curves of dimension 2 in parameters that have no unit; surfaces of a model
- * come back as faces over their whole domains. Layers are levels: their name if that is a number above those before,
- * else the next number, which a property (406 form 3) names, if there is a name. Parts
- * become subfigures (308), and their uses instances (408) with matrices (124), of form 1 for mirror images; a
- * first part that stands in the whole once and unmoved is what no subfigure has, and its name that of the
- * product. Units without a number are one with another model space scale. What surfaces and edges were in a
- * file they are again, as planes, cylinders, cones, spheres and tori with a reference direction (190 to 198),
- * surfaces of revolution and tabulated cylinders (120, 122), arcs and ellipses (100, 104), where reading them
- * gives the same splines bit for bit, with all curves in the domains: to know, what is written is read once
- * before. All others are B-splines (126, 128), with their parameter curves. So nurbs_read_model() and nurbs_read()
- * give back what they do of STEP files, and the mark of a periodic axis too; not so
- * - lengths in another unit than that of the model, and placements that are rotated and scaled, for rounding;
+ * **IGES** (5.3, fixed-length form). Faces (510) with loops (508) share the edges and vertices of one list
+ * each (504, 502), in solids (186) with their voids where every edge is used exactly once in each direction,
+ * else in open shells (514). Edges that no face uses stand in the list only, which other programs may not
+ * show. Splines of a model or a list are entities 126 and 128, in their order, curves of dimension 2 in
+ * parameters that have no unit; surfaces of a model come back as faces over their whole domains. Layers are
+ * levels: the number of a level is the name of the layer if that is a number above those before, else the
+ * next number, which a property (406 form 3) names, if there is a name. Parts become subfigures (308), and
+ * their uses instances (408) with matrices (124), of form 1 for mirror images. A first part that stands in
+ * the whole once and unmoved is what no subfigure has, and its name is that of the product. A unit that has
+ * no number in IGES is written as one that has, with another model space scale. Surfaces and edges that were
+ * elementary in a file are so again: planes, cylinders, cones, spheres and tori with a reference direction
+ * (190 to 198), surfaces of revolution and tabulated cylinders (120, 122), arcs and ellipses (100, 104),
+ * where reading them gives the same splines bit for bit, with all curves in the domains. To know this, what
+ * is written is read once before. All others are B-splines (126, 128), with their parameter curves. So
+ * nurbs_read_model() and nurbs_read() return what they return of STEP files, and the mark of a periodic axis,
+ * too. This does not hold for
+ * - lengths in another unit than that of the model, and placements that are rotated and scaled, up to
+ *   rounding;
  * - homogeneous points, and weights that are all equal, as for STEP;
  * - the parameters of straight edges (110) that were others than 0 to 1, and of curves that lie under them;
- * - curves in domains that are not under their edges at equal parameters, or that leave the domain by more than
- *   the tolerance of the file, which readers make anew;
- * - tolerances of faces, of which readers find the least powers of ten from that of the file on that will do;
+ * - curves in domains that are not under their edges at equal parameters, or that leave the domain by more
+ *   than the tolerance of the file: readers make them anew;
+ * - tolerances of faces: readers find the least power of ten times that of the file that is enough;
  * - blanks around names and control characters, as for STEP, and empty names, which become type and number:
  *   "510#37";
- * - colours whose percentages have no digits of their own: they are next to them;
+ * - colours whose percentages have no digits of their own, which become adjacent ones;
  * - faces of NURBS_KEEP_GAPS, as for STEP.
  *
- * Knots inside of a domain more than `degree` times, knots that are not clamped, and weights of 0 are written as
- * they are: this library reads them; STEP and IGES have no such knots and weights, and some readers of IGES want
- * clamped knots.
+ * Knots inside a domain of a multiplicity above `degree`, knots that are not clamped, and weights of 0 are
+ * written as they are. This library reads them; STEP and IGES have no such knots and weights, and some
+ * readers of IGES want clamped knots.
  * @{ */
 
 /** \name Formats of files
- * Those of shapes for nurbs_model_write() and nurbs_list_write(), those of triangles for nurbs_mesh_write().
+ * Formats of shapes are for nurbs_model_write() and nurbs_list_write(), those of triangles for
+ * nurbs_mesh_write().
  * \since 1.1
  * @{ */
 /** \brief STEP: an exchange structure of ISO 10303-21, by AP214 */
@@ -9406,17 +9662,17 @@ NURBS_API nurbs_status nurbs_bezier_cell_points(const nurbs *g, int64_t cap, dou
 #define NURBS_FORMAT_STL_TEXT 4
 /** \brief Triangles: Wavefront OBJ */
 #define NURBS_FORMAT_OBJ 5
-/** \brief Triangles: PLY, binary, lowest byte first */
+/** \brief Triangles: PLY, binary, little-endian */
 #define NURBS_FORMAT_PLY 6
 /** \brief Triangles: glTF 2.0 in one binary file */
 #define NURBS_FORMAT_GLB 7
-/** \brief Triangles: an unstructured grid of VTK in XML, with raw arrays behind it */
+/** \brief Triangles: an unstructured grid of VTK in XML, with raw arrays appended */
 #define NURBS_FORMAT_VTU 8
 /** @} */
 
-/** \brief Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
- * are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one of
- * its faces, since readers take more where edges need it, and 1e-7 metres if it has none. */
+/** \brief Settings for nurbs_model_write() and similar functions; fill with nurbs_write_options_init() first.
+ * Fields are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the
+ * least one of its faces, since readers enlarge it where edges need that, and 1e-7 metres if it has none. */
 typedef struct nurbs_write_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< unit of the file in metres; 0: that of the model, millimetres if it has none */
@@ -9431,36 +9687,40 @@ typedef struct nurbs_write_options {
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_write_options_init(nurbs_write_options *options, int64_t struct_size);
 
-/** \brief A model as the contents of a file. To ask how many bytes there are takes as long as to write them.
+/** \brief The contents of a file that holds a model.
+ *
+ * Asking for the number of bytes takes as long as writing them.
  * \param[in] model a model.
  * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.
  * \param[in] options or NULL for the defaults: settings.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
  * \param[out] length or NULL: number of bytes.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _OPTIONS, _FORMAT for any other format; _SIZE if cap is
- *   neither 0 nor enough. Of what the format cannot hold, naming the index: _DIMENSION of splines outside of
- *   space but for curves of dimension 2, _AXES of volumes, _DEGREE of degree 0, _WEIGHT_SIGN of homogeneous
- *   points whose weights are not positive, _MATRIX of placements that are no similarities. _NOT_REPRESENTABLE;
- *   _TOO_LARGE for an IGES file of more lines than its seven digits can count.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _OPTIONS, _FORMAT for any other format; _SIZE if cap
+ *   is neither 0 nor enough. For what the format cannot hold, naming the index: _DIMENSION for splines that
+ *   are not in space, except curves of dimension 2, _AXES for volumes, _DEGREE for degree 0, _WEIGHT_SIGN for
+ *   homogeneous points whose weights are not positive, _MATRIX for placements that are no similarities.
+ *   _NOT_REPRESENTABLE; _TOO_LARGE for an IGES file of more lines than its seven digits can count.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_write(const nurbs_model *model, int32_t format,
                                          const nurbs_write_options *options, int64_t cap, void *bytes,
                                          int64_t *length);
 
-/** \brief nurbs_model_write() as a call that can be watched and ended.
+/** \brief nurbs_model_write() with progress reports, cancellation and a limit of work.
  * \param[in] model,format,options,cap as for nurbs_model_write().
  * \param[out] bytes,length as for nurbs_model_write().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_write(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_write_with(const nurbs_model *model, int32_t format,
                                               const nurbs_write_options *options, int64_t cap, void *bytes,
                                               int64_t *length, const nurbs_call_options *call);
 
-/** \brief Writes a model to a file. The bytes go to a new file in the same folder, which takes the name when they
- * are on the disk: no other program sees half a file, and a file that had the name is as it was if anything
- * fails. A link stays, and what it leads to is replaced; devices and pipes are written to.
+/** \brief Writes a model to a file.
+ *
+ * The bytes go to a new file in the same folder, which takes the name once they are on the disk: no other
+ * program sees half a file, and a file that had the name is as it was if anything fails. A symbolic link
+ * stays, and the file that it leads to is replaced; devices and pipes are written to.
  * \param[in] model a model.
  * \param[in] path file name, zero-terminated, in the system's encoding.
  * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.
@@ -9470,34 +9730,35 @@ NURBS_API nurbs_status nurbs_model_write_with(const nurbs_model *model, int32_t 
 NURBS_API nurbs_status nurbs_model_write_file(const nurbs_model *model, const char *path, int32_t format,
                                               const nurbs_write_options *options);
 
-/** \brief nurbs_model_write_file() as a call that can be watched and ended.
+/** \brief nurbs_model_write_file() with progress reports, cancellation and a limit of work.
  * \param[in] model,path,format,options as for nurbs_model_write_file().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_model_write_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_write_file_with(const nurbs_model *model, const char *path, int32_t format,
                                                    const nurbs_write_options *options,
                                                    const nurbs_call_options *call);
 
-/** \brief The curves and surfaces of a list as the contents of a file: as nurbs_model_write() writes those that
- * belong to no face, with their names.
+/** \brief The contents of a file that holds the curves and surfaces of a list.
+ *
+ * They are written with their names, as nurbs_model_write() writes those that belong to no face.
  * \param[in] list a list.
  * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.
  * \param[in] options or NULL for the defaults: settings.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
  * \param[out] length or NULL: number of bytes.
- * \return as for nurbs_model_write() without _MATRIX; for a list of parts that are made when they are taken also
- *   what nurbs_list_get() returns of them.
+ * \return as for nurbs_model_write() without _MATRIX; for a list whose parts are made when they are taken,
+ *   also what nurbs_list_get() returns for them.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_write(const nurbs_list *list, int32_t format,
                                         const nurbs_write_options *options, int64_t cap, void *bytes,
                                         int64_t *length);
 
-/** \brief nurbs_list_write() as a call that can be watched and ended.
+/** \brief nurbs_list_write() with progress reports, cancellation and a limit of work.
  * \param[in] list,format,options,cap as for nurbs_list_write().
  * \param[out] bytes,length as for nurbs_list_write().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_list_write(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_write_with(const nurbs_list *list, int32_t format,
@@ -9514,67 +9775,74 @@ NURBS_API nurbs_status nurbs_list_write_with(const nurbs_list *list, int32_t for
 NURBS_API nurbs_status nurbs_list_write_file(const nurbs_list *list, const char *path, int32_t format,
                                              const nurbs_write_options *options);
 
-/** \brief nurbs_list_write_file() as a call that can be watched and ended.
+/** \brief nurbs_list_write_file() with progress reports, cancellation and a limit of work.
  * \param[in] list,path,format,options as for nurbs_list_write_file().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_list_write_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const char *path, int32_t format,
                                                   const nurbs_write_options *options,
                                                   const nurbs_call_options *call);
 
-/** \brief A mesh as the contents of a file: its triangles with what the model says of them. To ask how many bytes
- * there are takes as long as to write them; they are the same on every machine for the same mesh.
+/** \brief The contents of a file that holds a mesh: its triangles, with what the model says about them.
  *
- * Parts stand where they are in the whole, once for each of their instances (nurbs_model_instances()). Triangles
- * are counterclockwise as they are **seen from outside**, and normals point there: on the side that
- * nurbs_model_face() tells (`against`) for faces of solids; where a part has faces of no solid, each shell is seen
- * as its first face is, as in nurbs_model_volume(). If the triangles of a solid, or of all such faces of a part,
- * close up and enclose a negative volume, they are turned, also those of a surface alone. At a vertex without a
- * normal, such as a pole, it is the one of the triangles around.
+ * Asking for the number of bytes takes as long as writing them. The bytes are the same on every machine for
+ * the same mesh.
  *
- * - **STL**, binary or text: the triangles, in single precision, with their normals. Triangles of which two corners
- *   are one point in single precision are left out: what was closed stays closed. Names and colours are lost.
+ * Parts stand where they are in the whole, once for each of their instances (nurbs_model_instances()).
+ * Triangles are counterclockwise as they are **seen from outside**, and normals point to that side. For faces
+ * of solids the outside is where nurbs_model_face() says (`against`); where a part has faces of no solid,
+ * each shell is oriented like its first face, as in nurbs_model_volume(). If the triangles of a solid, or of
+ * all such faces of a part, close up and enclose a negative volume, they are turned, also those of a single
+ * surface. A vertex without a normal, such as a pole, gets that of the triangles around it.
+ *
+ * - **STL**, binary or text: the triangles, in single precision, with their normals. Triangles of which two
+ *   corners are one point in single precision are left out: what was closed stays closed. Names and colours
+ *   are lost.
  * - **OBJ**: for each instance of a part an object with its name, with the points that its faces share (as
- *   NURBS_MESH_WELDED has them), and normals for each face; for each face a group with its name. Blanks, '#',
- *   backslashes and what is no text become '_'. Colours are names of materials, "colour_ff8000", not defined.
+ *   NURBS_MESH_WELDED gives them), and normals for each face; for each face a group with its name. Blanks,
+ *   '#', backslashes and what is no text become '_'. Colours are names of materials, "colour_ff8000", which
+ *   are not defined.
  * - **PLY**: vertices of faces with their points in double precision, normals, the number of their face
  *   (`face_number`, 0-based), and red, green and blue if any face has a colour.
- * - **GLB**: a node for each use of a part, in the order of nurbs_model_instances() and with names and placements,
- *   and below one that turns the z axis upwards, as CAD has it, into the y axis upwards of glTF, and the unit into
- *   metres; a mesh for each part, with a primitive for each colour of its faces, and in the `extras` of that which
- *   triangles stand for which face, and its name. Points are in single precision.
+ * - **GLB**: a node for each use of a part, in the order of nurbs_model_instances(), with names and
+ *   placements, below one that turns the z axis upwards, as CAD has it, into the y axis upwards of glTF, and
+ *   the unit into metres; a mesh for each part, with a primitive for each colour of its faces. The `extras`
+ *   of a primitive tell which triangles stand for which face, and the name of that. Points are in single
+ *   precision.
  * - **VTU**: vertices with points and parameters (`params`) in double precision and normals (`normals`);
- *   triangles with the numbers of their face and of its part (`face`, `part`, 0-based), and `colour` if any face
- *   has one.
+ *   triangles with the numbers of their face and of its part (`face`, `part`, 0-based), and `colour` if any
+ *   face has one.
  * \param[in] mesh a mesh.
  * \param[in] format NURBS_FORMAT_STL, _STL_TEXT, _OBJ, _PLY, _GLB or _VTU.
  * \param[in] options or NULL for the defaults: settings. The tolerance is not used.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
  * \param[out] length or NULL: number of bytes.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, also of a mesh that has no triangles, _OVERLAP, _OPTIONS, _FORMAT
- *   for any other format; _SIZE if cap is neither 0 nor enough; _MATRIX for placements without an inverse, and in
- *   GLB for those that are no similarities; _NOT_REPRESENTABLE for coordinates that overflow in the precision of
- *   the file, in GLB also of placements, and in STL if no triangle is left; _TOO_LARGE where a file would have more
- *   than its format counts: 2^32 bytes of GLB, 2^31 vertices of PLY, 2^32 triangles of STL, or a million instances.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, also for a mesh that has no triangles, _OVERLAP, _OPTIONS,
+ *   _FORMAT for any other format; _SIZE if cap is neither 0 nor enough; _MATRIX for placements without an
+ *   inverse, and in GLB for those that are no similarities; _NOT_REPRESENTABLE for coordinates that overflow
+ *   in the precision of the file, in GLB also for placements, and in STL if no triangle is left; _TOO_LARGE
+ *   where a file would have more than its format can count: 2^32 bytes of GLB, 2^31 vertices of PLY, 2^32
+ *   triangles of STL, or a million instances.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_write(const nurbs_mesh *mesh, int32_t format,
                                         const nurbs_write_options *options, int64_t cap, void *bytes,
                                         int64_t *length);
 
-/** \brief nurbs_mesh_write() as a call that can be watched and ended.
+/** \brief nurbs_mesh_write() with progress reports, cancellation and a limit of work.
  * \param[in] mesh,format,options,cap as for nurbs_mesh_write().
  * \param[out] bytes,length as for nurbs_mesh_write().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_mesh_write(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_write_with(const nurbs_mesh *mesh, int32_t format,
                                              const nurbs_write_options *options, int64_t cap, void *bytes,
                                              int64_t *length, const nurbs_call_options *call);
 
-/** \brief Writes a mesh to a file, as nurbs_model_write_file() does, block by block: at no time is all of
- * the file in memory.
+/** \brief Writes a mesh to a file, as nurbs_model_write_file() does.
+ *
+ * It is written block by block: at no time is all of the file in memory.
  * \param[in] mesh a mesh.
  * \param[in] path file name, zero-terminated, in the system's encoding.
  * \param[in] format NURBS_FORMAT_STL, _STL_TEXT, _OBJ, _PLY, _GLB or _VTU.
@@ -9584,9 +9852,9 @@ NURBS_API nurbs_status nurbs_mesh_write_with(const nurbs_mesh *mesh, int32_t for
 NURBS_API nurbs_status nurbs_mesh_write_file(const nurbs_mesh *mesh, const char *path, int32_t format,
                                              const nurbs_write_options *options);
 
-/** \brief nurbs_mesh_write_file() as a call that can be watched and ended.
+/** \brief nurbs_mesh_write_file() with progress reports, cancellation and a limit of work.
  * \param[in] mesh,path,format,options as for nurbs_mesh_write_file().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_mesh_write_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_mesh_write_file_with(const nurbs_mesh *mesh, const char *path, int32_t format,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Systems of N equations in N unknowns with one solution at most, whatever they come from: two curves, a ray and a surface.
+// A Krawczyk test for uniqueness: systems of N equations in N unknowns with at most one solution, whatever
+// they come from, such as two curves, or a ray and a surface.
 #pragma once
 
 #include "base/numbers.h"
@@ -13,7 +14,7 @@
 namespace nrb::intersect {
 
 template <size_t N>
-using Place = std::array<double, N>; // in [0, 1]^N
+using Place = std::array<double, N>; // local parameters in [0, 1]^N
 template <size_t N>
 using Box = std::array<Interval, N>;
 
@@ -26,23 +27,24 @@ double largest(const Place<N> &x) noexcept {
     return most;
 }
 
-// Of F over [0, 1]^N and a matrix M: the largest row sum of |M F' - I| over all of it, and the norm of M, by which
-// |F| <= near makes |M F| <= norm near. If rho < 1, then for every z and z0 in the maximum norm
+// For F over [0, 1]^N and a matrix M, rho is the largest row sum of |M F' - I| over the whole box, and norm
+// is the norm of M by which |F| <= near implies |M F| <= norm near. If rho < 1, then for all z and z0, in the
+// maximum norm,
 //     |z - z0| (1 - rho) <= |M (F(z) - F(z0))|
-// (R. Krawczyk 1969), so that F is 0 once at most, and all where it is small lies close together.
+// (R. Krawczyk 1969). So F has at most one zero, and all places where F is small lie close together.
 struct Contraction {
     double rho = infinity;
     double norm = 0;
 
     [[nodiscard]] bool proven() const noexcept { return rho < 0.9; }
 
-    // How far from z0 a place may be where |F| <= near; step: M F(z0).
+    // A bound on the distance from z0 to any place with |F| <= near. step: M F(z0).
     template <size_t N>
     [[nodiscard]] double radius(const Place<N> &step, double near) const noexcept {
         return 1.001 * (largest(step) + norm * near) / (1 - rho);
     }
-    // Where such places are, beyond [0, 1]^N too. What is nearer to z0 by the radius r is also nearer to what the step
-    // leads to by rho r + norm near.
+    // A box that holds all such places, also those beyond [0, 1]^N. A place within the radius r of z0 is
+    // within rho r + norm near of z0 - step.
     template <size_t N>
     [[nodiscard]] Box<N> solutions(const Place<N> &z0, const Place<N> &step, double near) const noexcept {
         const double r = radius(step, near);
@@ -56,9 +58,11 @@ struct Contraction {
     }
 };
 
-// Newton's method from the middle, and the steps M F where it does not come nearer, until rounding stops them or they
-// would leave [0, 1]^N, or what is so much larger on all sides. fixed(z): M F(z); newton(): the step of Newton's method where fixed() was last. What both know is
-// that of the place that is returned.
+// An approximate zero by Newton's method from the middle of the box. Where |M F| has not halved since the
+// last step, the simplified step M F is taken instead. The iteration ends at rounding, where |M F| hardly
+// falls any more, or where clamping to [0, 1]^N, widened by `room` on all sides, leaves no step. fixed(z):
+// M F(z). newton(): the Newton step at the place of the last call of fixed(). That last call is for the place
+// returned, so what fixed() keeps belongs to it.
 template <size_t N, class Fixed, class Newton>
 Place<N> approached(Fixed &&fixed, Newton &&newton, double room = 0) {
     constexpr int most_steps = 40;
@@ -88,7 +92,7 @@ template <size_t N>
 bool strictly_inside(const Box<N> &box) noexcept {
     return std::all_of(box.begin(), box.end(), [](Interval x) { return x.lower > 0 && x.upper < 1; });
 }
-// Whether a box and [0, 1]^N have nothing in common.
+// Whether a box and [0, 1]^N are disjoint.
 template <size_t N>
 bool outside(const Box<N> &box) noexcept {
     return std::any_of(box.begin(), box.end(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How unknowns of nonlinear equations hang together.
+// A componentwise Krawczyk bound for nonlinear equations: how far zeros can be apart, unknown by unknown.
 #pragma once
 
 #include "intersect/contraction.h"
@@ -11,19 +11,21 @@
 
 namespace nrb::intersect {
 
-// R: bounds of |I - M F'| by rows and columns, where F has N - 1 equations in N unknowns z of which one, k, is as it is, and y the
-// others: row and column k are 0. By the mean value theorem |(y - y0) - M (F(z) - F(z0)) + S (z_k - z0_k)| <= R |y - y0|
-// row by row, so that
+// Let F be N - 1 equations in N unknowns z, one of which, z_k, is held fixed; y denotes the others. R bounds
+// |I - M F'| entry by entry, with row and column k equal to 0, and S bounds the column M F'_k. The mean value
+// theorem gives, row by row, |(y - y0) - M (F(z) - F(z0)) + S (z_k - z0_k)| <= R |y - y0|, so that
 //     |y - y0| <= (I - R)^-1 (|M (F(z) - F(z0))| + |S| |z_k - z0_k|)
-// if the spectral radius of R is less than 1. (I - R)^-1 is not negative then, whatever the units of the unknowns: elimination
-// without pivots adds what is off the diagonal, and what it leaves on the diagonal is more than 0.
+// if the spectral radius of R is less than 1. I - R is then a nonsingular M-matrix and its inverse is
+// nonnegative, whatever the units of the unknowns: elimination without pivoting only adds to the inverse, and
+// its pivots stay above 0.
 template <size_t N>
 class Coupling {
 public:
     [[nodiscard]] double off(size_t i, size_t j) const noexcept { return offs_[i][j]; }
     void set_off(size_t i, size_t j, double off) noexcept { offs_[i][j] = off; }
     void clear() noexcept { offs_ = {}; }
-    // most: of what is on the diagonal of (I - R)^-1, which is about 1 / (1 - spectral radius); false: it is more.
+    // Computes (I - R)^-1. most: the largest diagonal entry allowed, about 1 / (1 - spectral radius); false
+    // if one is larger.
     bool invert(double most) noexcept {
         std::array<Place<N>, N> left{};
         for (size_t i = 0; i < N; ++i) {
@@ -42,14 +44,15 @@ public:
                 return false;
             }
             for (double &x : inverse_[i]) {
-                x *= 1.0001; // rounding is a small part of what is added
+                x *= 1.0001; // far more than rounding
             }
         }
         return true;
     }
     // (I - R)^-1 size.
     [[nodiscard]] Place<N> reach(const Place<N> &size) const noexcept { return product(inverse_, size); }
-    // The largest sum of a row; if that is less than 1, what follows from it for all unknowns alike, in the maximum norm.
+    // The largest row sum of R. If it is less than 1, reach_in_norm() is the bound that follows from it in
+    // the maximum norm, the same for all unknowns.
     [[nodiscard]] double norm() const noexcept {
         double most = 0;
         for (const Place<N> &row : offs_) {

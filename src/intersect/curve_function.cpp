@@ -13,13 +13,13 @@ namespace nrb::intersect {
 
 namespace {
 
-// Of a form of degree 1 at Cartesian control points, rounded once.
+// The values of a form of degree 1 at Cartesian control points, each rounded once.
 struct ControlValues {
     std::vector<double> values;
-    double error = 0; // what is lost where terms cancel; what is rounded off is relative
+    double error = 0; // absolute, from cancellation; the final rounding is relative
 };
 
-// One coordinate times a power of two.
+// Whether the form is one coordinate times a power of two, apart from the constant.
 bool is_coordinate(std::span<const double> factors) noexcept {
     const auto used = [](double factor) { return factor != 0; };
     const auto one = std::ranges::find_if(factors, used);
@@ -31,7 +31,7 @@ ControlValues control_values(const Spline &curve, std::span<const double> form) 
     ControlValues result;
     result.values.reserve(static_cast<size_t>(curve.point_count()));
     const auto dim = static_cast<size_t>(curve.dim());
-    const bool exact = is_coordinate(form.first(dim)); // differences of two doubles
+    const bool exact = is_coordinate(form.first(dim)); // then each value is the sum of two doubles
     for (int64_t i = 0; i < curve.point_count(); ++i) {
         count_work(4 * curve.dim());
         const double *point = curve.points().data() + i * curve.stored_width();
@@ -60,7 +60,7 @@ public:
         const int64_t first = axis.find_span(part(e).lower, false) - axis.degree();
         const auto window =
             values_->points().subspan(static_cast<size_t>(first), static_cast<size_t>(axis.degree()) + 1);
-        const double far = 1.0001 * tolerance + 2 * error_; // values are rounded relative to themselves
+        const double far = 1.0001 * tolerance + 2 * error_; // the rounding of values is relative to them
         const bool above = std::ranges::all_of(window, [far](double x) { return x > far; });
         const bool below = std::ranges::all_of(window, [far](double x) { return x < -far; });
         return above ? 1 : below ? -1 : 0;

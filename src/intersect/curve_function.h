@@ -8,17 +8,19 @@
 
 namespace nrb::intersect {
 
-// f = value / weight over a part of the parameters, where the weight is positive if that is known.
+// f = value / weight over one piece of the parameter range. `known`: the weight is certainly positive.
 struct FunctionPiece {
     RoundedPolynomial value;
     RoundedPolynomial weight;
     bool known = true;
 };
 
+// A piecewise rational function of the parameter of a curve.
 class CurveFunction {
 public:
     explicit CurveFunction(const Spline &curve);
-    // Along a part of the curve; all of a periodic one may be closed.
+    // On a part of the curve. `closed`: the part is a whole period, at whose end the function continues at
+    // the start.
     CurveFunction(const Spline &curve, Interval part, bool closed);
     CurveFunction(const CurveFunction &) = delete;
     CurveFunction &operator=(const CurveFunction &) = delete;
@@ -29,14 +31,14 @@ public:
         const std::vector<double> &breaks = maker_.breaks(0);
         return {breaks[static_cast<size_t>(e)], breaks[static_cast<size_t>(e) + 1]};
     }
-    // The first piece that ends at or beyond a parameter; count() if there is none.
+    // The index of the first piece that ends at or beyond a parameter; count() if there is none.
     [[nodiscard]] int64_t first_to(double parameter) const noexcept;
     [[nodiscard]] Interval domain() const noexcept { return {part(0).lower, part(count() - 1).upper}; }
     [[nodiscard]] double period() const noexcept { return domain().upper - domain().lower; }
     [[nodiscard]] bool periodic() const noexcept { return periodic_; }
     [[nodiscard]] double parameter(int64_t e, double place) const noexcept;
 
-    // 1 or -1: f or -f exceeds the tolerance on the whole piece, as its control values tell; else 0.
+    // 1 or -1: f or -f exceeds the tolerance on the whole piece, as the control values show; else 0.
     [[nodiscard]] virtual int far(int64_t e, double tolerance) const = 0;
     [[nodiscard]] virtual FunctionPiece piece(int64_t e) const = 0;
 
@@ -50,9 +52,9 @@ private:
     bool periodic_;
 };
 
-// An implicit form along a curve, which has to outlive the function. A form of degree 1 along Cartesian
-// points is a spline with the knots and weights of the curve, whose control values are the values at the
-// control points.
+// An implicit form along a curve, which must outlive the function. Along Cartesian points a form of degree 1
+// is a spline with the knots and weights of the curve, and its control values are the values of the form at
+// the control points.
 std::unique_ptr<CurveFunction> function_along(const Spline &curve, const ImplicitForm &form);
 
 } // namespace nrb::intersect

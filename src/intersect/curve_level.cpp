@@ -12,6 +12,7 @@ namespace nrb::intersect {
 
 namespace {
 
+// Turns the zeros, jumps and near ranges of a function into hits.
 class LevelHits {
 public:
     LevelHits(const CurveFunction &f, double tolerance)
@@ -32,7 +33,8 @@ public:
     }
 
 private:
-    // What lies at the start of a period in a range that goes on into it belongs behind the end.
+    // If the last near range extends into the next period, the zeros and jumps at the start of the domain
+    // that lie in it are moved up by a period, after all others.
     void go_around() {
         if (signs_.near.empty() || !(signs_.near.back().upper > f_.domain().upper)) {
             return;
@@ -51,7 +53,7 @@ private:
         std::rotate(jumps.begin(), jump, jumps.end());
     }
 
-    // What comes before a range has nothing to do with it.
+    // Adds the zeros and jumps before a parameter; they belong to no near range.
     void add_until(double parameter) {
         for (; next_zero_ < signs_.zeros.size() && signs_.zeros[next_zero_].range.upper < parameter;
              ++next_zero_) {
@@ -62,7 +64,8 @@ private:
         }
     }
 
-    // A range around a single zero says that there is one; others that hold a span are more than that.
+    // A near range around a single zero or jump yields that alone; any other one that holds a span is an
+    // overlap.
     void add_near(Interval range) {
         add_until(range.lower);
         const size_t first_zero = next_zero_, first_jump = next_jump_;
@@ -119,7 +122,7 @@ private:
     [[nodiscard]] bool holds_span(Interval range) const noexcept {
         return holds_span(range, 0) || (f_.periodic() && holds_span(range, f_.period()));
     }
-    // In the period that is `shift` away.
+    // In the range moved back by `shift`, 0 or one period.
     [[nodiscard]] bool holds_span(Interval range, double shift) const noexcept {
         int64_t e = f_.first_to(range.lower - shift);
         e += e < f_.count() && f_.part(e).lower < range.lower - shift ? 1 : 0;

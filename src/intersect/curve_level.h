@@ -7,10 +7,10 @@
 
 namespace nrb::intersect {
 
-// All places where |f| <= tolerance along the curve, as hits: the zeros in such a range, each of its own, or
-// the place where |f| is smallest; but where |f| <= tolerance on a whole span or more, that range as one,
-// unless there is just one zero in it. Signs are proven on Bernstein pieces, by variation diminishing. Throws
-// Status::not_representable.
+// All places along the curve where |f| <= tolerance, as hits. A range of such places yields a hit for each
+// zero and jump in it, or if there is none, a contact where |f| is smallest. But a range that holds a whole
+// span or more is one hit, an overlap, unless there is exactly one zero or jump in it. Signs are proven on
+// Bernstein pieces by the variation diminishing property. Throws Status::not_representable.
 CurveHits curve_level(const Spline &curve, const ImplicitForm &form, double tolerance);
 
 } // namespace nrb::intersect

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far pieces extend along a vector.
+// The extent of Bezier pieces along a vector.
 #pragma once
 
 #include "base/numbers.h"
@@ -10,7 +10,8 @@
 
 namespace nrb::intersect {
 
-// Of the products of the control points. Precondition: piece.positive().
+// The range of vector . P over the control points P, which bounds it over the whole piece (convex hull
+// property). Precondition: piece.positive().
 inline Interval extent_along(const pieces::BezierPiece &piece, const double *vector) noexcept {
     Interval range{infinity, -infinity};
     for (int64_t i = 0; i < piece.coefficients(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is in a box of which the zeros of N - 1 equations in N unknowns are a graph over one coordinate.
+// Traces the zeros of N - 1 equations in N unknowns in a box in which they are a graph over one coordinate.
 #pragma once
 
 #include "base/numbers.h"
@@ -15,22 +15,22 @@
 
 namespace nrb::intersect {
 
-// A zero on the border of a box.
+// A zero on the boundary of a box.
 template <size_t N>
 struct GraphEnd {
-    Place<N> at{};         // places in the parts
-    size_t coordinate = 0; // the side on which it is
-    size_t side = 0;       // 0: the lower one
-    bool open = false;     // what the box is a part of ends there
+    Place<N> at{};         // local parameters in the parts
+    size_t coordinate = 0; // the coordinate of the side on which it is
+    size_t side = 0;       // 0: the lower one; 1: the upper one
+    bool open = false;     // the shape of which the box is a part ends there
 };
 
 enum class GraphVerdict {
-    nothing, // for certain
-    arc,     // one
-    open,    // the box is too large to tell
+    nothing, // certainly nothing that counts
+    arc,     // exactly one arc
+    open,    // the box is too large to decide
 };
 
-// The zero at a share of the way from one to another; none: it is not found.
+// The zero with coordinate k at a share of the way from one zero to another; none if it is not found.
 template <size_t N, class Box>
 std::optional<Place<N>> zero_between(const Box &box, const Place<N> &from, const Place<N> &to, double share) {
     Place<N> at{};
@@ -40,12 +40,16 @@ std::optional<Place<N>> zero_between(const Box &box, const Place<N> &from, const
     return box.solve(box.chart.axis(), at) ? std::optional(at) : std::nullopt;
 }
 
-// As zeros are a graph whose differences have known signs, one place of the box at a zero, and the two where the curve through
-// it leaves the box, are all that has to be found. Box has
-//   chart: axis(), direction(), shift(i), rise(i), holds_at(z), drift(...) as in CrossChart; noise(i), noise(): how far M F may be off
-//   side(i, end): where the box ends, as places in the part; length(i) of the part, in parts of its piece
-//   start(): a place where the chart holds; step_at(z): M F; tangent_at(z): along the zeros, of any length
-//   solve(i, z): Newton's method for F = 0 with coordinate i as it is, in the wide part; false: none is found.
+// The zeros are a graph over coordinate k, and differences of zeros have known signs. So all that has to be
+// found is one zero in the box, and the two places where the curve through it leaves the box. Box provides
+// - chart: axis() (k), direction(), shift(i), rise(i), holds_at(z), drift(...) as in CrossChart; noise(i),
+//   noise(): error bounds of M F;
+// - side(i, end): where the box ends, as a local parameter; length(i): that of the part, as a share of its
+//   piece;
+// - start(): a place where the chart holds; step_at(z): M F; tangent_at(z): a tangent of the graph, of any
+//   length;
+// - solve(i, z): Newton's method for F = 0 in the wide part with coordinate i held fixed; false if none is
+//   found.
 template <class Box, size_t N>
 class GraphArc {
 public:
@@ -53,8 +57,9 @@ public:
     using End = GraphEnd<N>;
     using Sides = std::array<std::array<double, 2>, N>;
 
-    // parts: of the way between both ends, in as many places of which zeros are found. little: what is no longer, in parts of
-    // a piece, is nothing: arcs of the neighbours go on in each other there. probes: places where a zero is looked for.
+    // parts: the number of sections into which the zeros that are looked for divide the way between both
+    // ends. little: arcs no longer than this, as a share of a piece, count as nothing, because the arcs of
+    // the neighbours continue each other there. probes: the number of places at which a zero is looked for.
     GraphVerdict look(const Box &box, const Sides &sides, int parts, double little, int probes) {
         box_ = &box;
         sides_ = sides;
@@ -66,7 +71,7 @@ public:
         has_ends_ = find_end(-forward, ends_[0]) && find_end(forward, ends_[1]);
         return look_between_ends(parts);
     }
-    // The same again, where look() left it open.
+    // Repeats the last step of look(), where that left the box open, with another number of zeros.
     GraphVerdict look_between_ends(int parts) {
         if (!has_ends_) {
             return GraphVerdict::open;
@@ -81,15 +86,16 @@ public:
         return GraphVerdict::arc;
     }
     [[nodiscard]] const std::array<End, 2> &ends() const noexcept { return ends_; }
-    // Zeros of the arc, by rising k.
+    // Zeros of the arc, by ascending coordinate k.
     [[nodiscard]] const std::vector<At> &zeros() const noexcept { return zeros_; }
-    // A zero in or beside the box, if one was met.
+    // The last zero found in or beside the box, if there is one.
     [[nodiscard]] const std::optional<At> &near() const noexcept { return near_; }
     void forget() noexcept { near_.reset(); }
-    // Whether all of the arc is beyond a place of a coordinate, above it for side 1, below it for side 0, by more than rounding.
+    // Whether the whole arc lies beyond a value of a coordinate by more than rounding: above it for side 1,
+    // below it for side 0.
     [[nodiscard]] bool lies_beyond(size_t coordinate, size_t side, double place) const {
         int zeros_left =
-            128; // more than it takes to come from a side to the nearest zero that is told from it
+            128; // more than it takes to get from a side to the nearest zero distinguishable from it
         for (size_t i = 0; i + 1 < zeros_.size(); ++i) {
             if (!lies_beyond(coordinate, side, place, zeros_[i], zeros_[i + 1], zeros_left)) {
                 return false;
@@ -97,7 +103,7 @@ public:
         }
         return zeros_.size() > 1;
     }
-    // Whether a coordinate may rise and fall.
+    // Whether a coordinate may both rise and fall along the graph.
     [[nodiscard]] static bool changes(const Box &box, size_t coordinate) noexcept {
         const Interval &rise = box.chart.rise(coordinate);
         return rise.lower <= 0 && rise.upper >= 0;
@@ -107,7 +113,7 @@ private:
     static constexpr int most_sides = 6;
     static constexpr double most_place = 1 + widening;
 
-    // x of [first, last] where a + b (x - x0) >= 0.
+    // Cuts the range to the x with a + b (x - x0) >= 0.
     static void keep_where_positive(double a, double b, double x0, Interval &range) noexcept {
         if (b == 0) {
             range = a >= 0 ? range : Interval{1, 0};
@@ -131,8 +137,8 @@ private:
         return true;
     }
 
-    // What is left below and above z0 of a range of coordinate k for zeros of the box, where M F is off by `off` times its noise; z0:
-    // any place, with the step M F there.
+    // What remains of a range of coordinate k, below and above z0, for zeros in the box. z0: any place; step:
+    // M F there, with an error of up to `off` times its noise.
     std::array<Interval, 2> clipped(const At &z0, const At &step, double off, const Interval &range) const {
         const auto &chart = box_->chart;
         const size_t k = chart.axis();
@@ -159,10 +165,11 @@ private:
         return halves;
     }
 
-    // A zero of the box at inside_, or what else is known. What is in a corner, and no longer than sides are shifted by, is
-    // nothing: arcs of the neighbours go on in each other there. So is what is in the box by rounding alone of a curve that is known
-    // beside it: bounds of rounding are far larger than what it makes of places, and boxes near touches have many sides that are no
-    // farther away than these.
+    // Sets inside_ to a zero in the box, or returns what is known instead. What lies in a corner and is no
+    // longer than the shift of the sides counts as nothing, because the arcs of the neighbours continue each
+    // other there. The same holds if a zero is known beside the box and only rounding would allow its curve
+    // to enter the box: bounds of rounding are far larger than its effect on places, and boxes near
+    // tangential contacts have many sides within these bounds.
     std::optional<GraphVerdict> find_inside(double little, int probes) {
         const auto &chart = box_->chart;
         const size_t k = chart.axis();
@@ -181,7 +188,7 @@ private:
             z[k] = next;
             const At guess = z;
             bool found = box_->solve(k, z);
-            if (!chart.holds_at(z)) { // a zero that is none of both parts, or none
+            if (!chart.holds_at(z)) { // a zero outside of one of the parts, or no zero
                 found = false;
                 z = guess;
                 if (!chart.holds_at(z)) {
@@ -200,7 +207,7 @@ private:
         }
         return ranges_.empty() ? GraphVerdict::nothing : GraphVerdict::open;
     }
-    // joined: what is between both is not excluded. What is no longer than the least is nothing.
+    // joined: zeros between the two halves are not excluded. Ranges no longer than `least` are dropped.
     void add_ranges(const std::array<Interval, 2> &halves, bool joined, double least) {
         if (joined && !is_empty(halves[0]) && !is_empty(halves[1])) {
             ranges_.push_back({halves[0].lower, halves[1].upper});
@@ -213,7 +220,8 @@ private:
         }
     }
 
-    // Where the tangent at inside_ leaves the box; end is on that side. way: 1 or -1, of coordinate k.
+    // Where the tangent at inside_ leaves the box; sets the coordinate and side of `end`. way: 1 or -1, in
+    // coordinate k.
     At leave(double way, End &end) const {
         const At along = box_->tangent_at(inside_);
         const double unit = way / along[box_->chart.axis()];
@@ -235,7 +243,8 @@ private:
         return place;
     }
 
-    // Moves an end to the other side beyond which it is farthest, if it is beyond any by more than rounding: sides meet in corners.
+    // Moves an end to the other side beyond which it lies farthest, if it lies beyond any by more than
+    // rounding: sides meet in corners.
     bool is_beyond(End &end) const {
         double beyond = box_->chart.noise() + 8 * eps;
         const size_t own = end.coordinate;
@@ -254,8 +263,8 @@ private:
         return any;
     }
 
-    // Along the tangent to the side that it meets first, and on that side to the curve; then to any other side beyond which that
-    // is.
+    // Follows the tangent to the first side it meets and solves for the curve on that side, then on any other
+    // side beyond which the result lies.
     bool find_end(double way, End &end) const {
         const size_t k = box_->chart.axis();
         end = {};
@@ -272,7 +281,8 @@ private:
         return false;
     }
 
-    // Where a coordinate is between two zeros, by rising k: it rises as D says.
+    // The range of a coordinate between two zeros, the first of which has the smaller k, by the slope bounds
+    // D.
     [[nodiscard]] Interval between(const At &first, const At &last, size_t coordinate) const {
         const Interval &rise = box_->chart.rise(coordinate);
         const size_t k = box_->chart.axis();
@@ -295,7 +305,7 @@ private:
         }
         return true;
     }
-    // With more zeros where it takes them.
+    // Adds zeros where the bounds between two of them are too wide.
     [[nodiscard]] bool lies_beyond(size_t coordinate, size_t side, double place, const At &first,
                                    const At &last, int &zeros_left) const {
         const double room = 2 * box_->chart.noise() + 16 * eps;
@@ -310,7 +320,7 @@ private:
                lies_beyond(coordinate, side, place, *middle, last, zeros_left);
     }
 
-    // Both ends, and inside_ or what divides the way between them.
+    // Sets zeros_ to both ends and, between them, inside_ or the zeros that divide the way.
     void set_zeros(int parts) {
         const size_t k = box_->chart.axis();
         zeros_ = {ends_[0].at, ends_[1].at};
@@ -331,17 +341,18 @@ private:
     }
 
     const Box *box_ = nullptr;
-    Sides sides_{}; // of the box, or of what arcs along borders may be in
+    Sides sides_{}; // of the box, or wider for arcs along borders
     At inside_{};   // a zero in the box
     std::optional<At> near_;
     bool has_ends_ = false;
     std::array<End, 2> ends_{};
-    std::vector<Interval> ranges_; // of k, in which there may be zeros
+    std::vector<Interval> ranges_; // of coordinate k, in which there may be zeros
     std::vector<At> zeros_;
 };
 
-// How far places of an end differ that are found in different boxes: as much as rounding makes of them, which is a small part
-// of its bounds. On a side the coordinate k is off by what that makes of the way to the side.
+// How far the places of one end may differ if they are found in different boxes: by the actual effect of
+// rounding, which is a small part of its bound. On a side of another coordinate, coordinate k is off by that
+// effect over the slope.
 template <size_t N, class Chart>
 Place<N> noise_of_end(const Chart &chart, const GraphEnd<N> &end) noexcept {
     constexpr double part = 0.25, most_noise = 0x1p-8;
@@ -362,8 +373,8 @@ Place<N> noise_of_end(const Chart &chart, const GraphEnd<N> &end) noexcept {
     return noise;
 }
 
-// Newton's method for N - 1 equations with one coordinate as it is; step(z, out): the step there, false: there is none. noise: of
-// steps. What is left after a step is about its square, or what rounding leaves.
+// Newton's method for N - 1 equations with one coordinate held fixed. step_at(z, out): the step at z; false
+// if there is none. noise: of steps. After a step the error is about its square, or what rounding leaves.
 template <size_t N, class Step>
 bool newton_on_side(size_t fixed, double noise, Place<N> &z, Step &&step_at) {
     constexpr int most_steps = 16;

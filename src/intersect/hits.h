@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is found where shapes meet.
+// The kinds of solutions that intersections and level sets report, and those on one curve.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -14,13 +14,13 @@ enum class HitKind : int32_t {
     crossing = 1,  // from one side to the other, or an end that is reached
     tangent = 2,   // a touch, as far as rounding can tell
     contact = 3,   // proven apart, but by no more than the tolerance
-    overlap = 4,   // no farther apart than the tolerance over a whole range
-    jump = 5,      // from one side to the other where the curve jumps
-    undecided = 6, // a range in which it is left open what there is
+    overlap = 4,   // within the tolerance over a whole range
+    jump = 5,      // the curve jumps from one side to the other
+    undecided = 6, // a range whose contents are left open
 };
 
-// On one curve. Every solution lies in the range of a hit. The range of an overlap is all of it; on periodic
-// axes it may end in the next period.
+// A solution on one curve. Every solution lies in the range of some hit, and an overlap holds in all of its
+// range. On periodic axes a range may end in the next period.
 struct CurveHit {
     double at;
     Interval range;
@@ -28,7 +28,7 @@ struct CurveHit {
 };
 
 struct CurveHits {
-    std::vector<CurveHit> list; // rising
+    std::vector<CurveHit> list; // ascending
     [[nodiscard]] bool complete() const noexcept {
         return std::ranges::none_of(list, [](const CurveHit &hit) { return hit.kind == HitKind::undecided; });
     }

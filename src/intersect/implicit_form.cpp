@@ -12,16 +12,15 @@ namespace nrb::intersect {
 
 namespace {
 
-// A coefficient that is known to twice the precision before it is rounded, and the sum of the magnitudes of
-// its terms.
+// A coefficient in double-double precision, before it is rounded, and the sum of the magnitudes of its terms.
 struct Coefficient {
     DoubleDouble value;
     double size = 0;
 };
 using Coefficients = std::vector<Coefficient>;
 
-// Of the polynomials in the variables from `first` on, of which there are `count` besides 1: those that begin
-// with x_first, and the rest.
+// The numbers of coefficients of a form in `count` variables, of which x_first is the first. Those of the
+// monomials with the factor x_first come first, then the others.
 struct Split {
     int64_t with, without;
 };
@@ -37,7 +36,7 @@ Coefficients sum(Coefficients a, const Coefficients &b, const DoubleDouble &fact
     return a;
 }
 
-// From degree to degree + 1 by a factor 1: in terms of the same variables.
+// The same polynomial as a form of degree + 1: multiplied by x_m = 1.
 Coefficients raised(const Coefficients &f, int count, int degree) {
     if (count == 0) {
         return f;
@@ -55,7 +54,7 @@ Coefficients raised(const Coefficients &f, int count, int degree) {
     return result;
 }
 
-// f(x + c): x_first (f_with) + f_without, each in x + c.
+// f(x + c), by recursion on f = x_first f_with + f_without.
 Coefficients moved(const Coefficients &f, int count, int degree, const double *centre) {
     if (count == 0 || degree == 0) {
         return f;
@@ -63,7 +62,7 @@ Coefficients moved(const Coefficients &f, int count, int degree, const double *c
     const auto [with, without] = split_of(count, degree);
     Coefficients first = moved({f.begin(), f.begin() + with}, count, degree - 1, centre);
     Coefficients rest = moved({f.begin() + with, f.end()}, count - 1, degree, centre + 1);
-    // centre times the first part, which is of one degree less, and holds the first variable
+    // For the constant in the factor x_first + c: c times the moved f_with, raised to the same degree.
     Coefficients times = raised(first, count, degree - 1);
     Coefficients result(f.size());
     for (size_t i = 0; i < first.size(); ++i) {
@@ -75,6 +74,7 @@ Coefficients moved(const Coefficients &f, int count, int degree, const double *c
     return sum(std::move(result), times, centre[0]);
 }
 
+// Substitutes the homogeneous coordinates of a piece into a form.
 class Composer {
 public:
     explicit Composer(const pieces::HomogeneousPiece &piece) {
@@ -104,14 +104,14 @@ public:
     }
 
 private:
-    // What is lost to twice the precision comes on top of what is rounded off.
+    // The error is the part below double precision, and what double-double arithmetic itself loses.
     static RoundedPolynomial rounded(const Coefficient &c) {
         RoundedPolynomial result = constant(c.value.high);
         result.errors = {std::abs(c.value.low) + 0x1p-96 * c.size};
         return result;
     }
 
-    std::vector<RoundedPolynomial> coordinates_; // and the weight
+    std::vector<RoundedPolynomial> coordinates_; // the weight is the last one
 };
 
 } // namespace

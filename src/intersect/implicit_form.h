@@ -9,12 +9,12 @@
 
 namespace nrb::intersect {
 
-// Number of monomials of at most a degree in some variables; the largest number if there are more.
+// The number of monomials of total degree at most `degree`; the largest int64_t if there are more.
 int64_t monomials(int variables, int degree) noexcept;
 
-// The sum of c x_i x_j ... x_k over i <= j <= ... <= k, `degree` factors of the variables x_0 to x_(m - 1)
-// and x_m = 1, in lexicographic order: a x + b y + c of a line, a x x + b x y + c x + d y y + e y + f of a
-// conic.
+// The polynomial f, the sum of c x_i x_j ... x_k over i <= j <= ... <= k, with `degree` factors from the
+// variables x_0 to x_(m - 1) and x_m = 1. The coefficients c are in lexicographic order: a x + b y + c of a
+// line, a x x + b x y + c x + d y y + e y + f of a conic.
 class ImplicitForm {
 public:
     // Precondition: coefficients.size() == monomials(variables, degree), degree >= 1.
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] int variables() const noexcept { return variables_; }
     [[nodiscard]] std::span<const double> coefficients() const noexcept { return coefficients_; }
 
-    // f(x) w^degree on a piece, in the unit of f.
+    // The Bernstein form of f(x) w^degree on a piece, in the unit of f.
     [[nodiscard]] RoundedPolynomial on(const pieces::HomogeneousPiece &piece) const;
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sums and products of numbers that are in intervals, but for rounding.
+// Interval arithmetic without directed rounding: sums and products of numbers that are known to lie in
+// intervals.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -29,7 +30,7 @@ inline double magnitude_of(const Interval &x) noexcept {
 inline double width_of(const Interval &x) noexcept {
     return x.upper - x.lower;
 }
-// Of what is no larger than this.
+// The interval of all numbers of magnitude at most `most`.
 inline Interval around(double most) noexcept {
     return {-most, most};
 }

@@ -11,8 +11,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// The ends of a range around a zero, which is known to be the only one between from and to, at which the sign
-// is certain.
+// The nearest places tried on both sides of a zero at which the sign is certain. The zero is known to be the
+// only one between from and to.
 Interval certain_ends(const RoundedPolynomial &f, double zero, double from, double to) {
     constexpr double factor = 16;
     for (double reach = 2 * eps; reach < to - from; reach *= factor) {
@@ -30,6 +30,7 @@ bool vanishes_exactly(const RoundedPolynomial &f) noexcept {
     return std::ranges::all_of(f.values, zero) && std::ranges::all_of(f.errors, zero);
 }
 
+// Goes through the pieces in order and joins what is known of their signs.
 class SignsAlong {
 public:
     SignsAlong(const CurveFunction &f, double tolerance) : f_(f), tolerance_(tolerance) {}
@@ -73,7 +74,7 @@ private:
     [[nodiscard]] Interval range(double from, double to) const noexcept {
         return {f_.parameter(piece_, from), f_.parameter(piece_, to)};
     }
-    // The same with what rounding the parameters may have cut off, but at the ends of the piece.
+    // The same, widened by what the rounding of parameters may have cut off, except at the ends of the piece.
     [[nodiscard]] Interval wide_range(double from, double to) const noexcept {
         const Interval part = f_.part(piece_), inside = range(from, to);
         const double off = 2 * eps * std::max(std::abs(part.lower), std::abs(part.upper));
@@ -109,7 +110,8 @@ private:
         add_end(value, 1, signs.zeros_at_end, signs.doubtful);
     }
 
-    // Zeros that cannot be told from one at an end of the piece.
+    // Adds a zero at an end of the piece. It stands for all zeros that rounding cannot distinguish from one
+    // there.
     void add_end(const RoundedPolynomial &value, int end, int order, bool doubtful) {
         if (order == 0) {
             return;
@@ -137,7 +139,7 @@ private:
         sign_ = sign;
         zero_is_last_ = false;
     }
-    // Two that touch are one.
+    // Zeros that touch are merged.
     void add_zero(ZeroRange zero) {
         if (!zero_is_last_) {
             zero.before = sign_;
@@ -162,7 +164,7 @@ private:
         }
     }
 
-    // What is known at the end of a periodic curve holds at its start.
+    // Joins both ends of a periodic curve: what is known before one holds after the other.
     void close_seam() {
         if (!f_.periodic()) {
             return;
@@ -186,7 +188,7 @@ private:
         }
     }
 
-    // Between what is far.
+    // The gaps between the far ranges are the near ones.
     void add_near() {
         if (tolerance_ == 0) {
             return;
@@ -213,13 +215,13 @@ private:
     const CurveFunction &f_;
     double tolerance_;
     int64_t piece_ = 0;
-    int sign_ = 0, first_sign_ = 0; // the last one that is certain, and the one at the start
+    int sign_ = 0, first_sign_ = 0; // the last certain one, and the one at the start
     bool zero_is_last_ = false;
     std::vector<Interval> far_;
     LevelSigns result_;
 };
 
-// The parts of a range in pieces, with their places.
+// Calls visit(e, from, to) for the part of each piece e that lies in a range, given by local parameters.
 template <class Visit>
 void for_each_part(const CurveFunction &f, Interval range, const Visit &visit) {
     for (const double shift : {0.0, f.period()}) {

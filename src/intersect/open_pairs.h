@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Searches over pairs of parts that may have something in common.
+// A work-list search over pairs of parts that may have something in common.
 #pragma once
 
 #include "base/watch.h"
@@ -9,8 +9,9 @@
 
 namespace nrb::intersect {
 
-// Calls look(pair), which may put others on the stack, until there are none or the work has ended: then give_up(pair) for the rest.
-// Returns whether all were looked at.
+// Calls look(pair) for each pair on the stack, to which look() may push further pairs, until the stack is
+// empty or the work limit is reached; then calls give_up(pair) for the pairs that are left. Returns whether
+// all were looked at.
 template <class Pair, class Look, class GiveUp>
 bool look_at_all(std::vector<Pair> &stack, Look &&look, GiveUp &&give_up) {
     SearchSteps steps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where one cubic goes on as another one.
+// A test for C1 continuity where one cubic follows another.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace nrb::intersect {
 
-// Whether cubics, of Bezier points over intervals of these lengths, have the same derivative where the one ends and the other begins, to
-// rounding.
+// Whether the Bezier cubic `a` ends with the first derivative, to rounding, with which `b` begins. The
+// lengths are those of their parameter intervals.
 template <size_t N>
 bool is_smooth_joint(const std::array<std::array<double, N>, 4> &a, double length_a,
                      const std::array<std::array<double, N>, 4> &b, double length_b) noexcept {

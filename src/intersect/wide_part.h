@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of polynomials with a room around them.
+// Parts of polynomial pieces, widened by a margin.
 #pragma once
 
 #include "bernstein/de_casteljau.h"
@@ -10,14 +10,16 @@
 
 namespace nrb::intersect {
 
-// Polynomials go on beyond their pieces. What is proven of a part is proven of this much more of it on all sides, in parts
-// of its length.
+// A polynomial extends beyond its piece. What is proven of a part is proven of the wide part: the part with
+// this share of its length added on every side.
 constexpr double widening = 1.0 / 8;
-// Where parts are halved: what is symmetric meets in curves along middles, which would run along sides of boxes.
+// Where parts are halved, as a share of their length. It is not the middle, because symmetric shapes often
+// intersect along isoparametric lines in the middle, and such curves would run along the sides of boxes.
 constexpr double place_of_halves = 0.5 - 0x1.5p-6;
-constexpr double least_length_of_parts = 0x1p-31; // in parts of pieces
+constexpr double least_length_of_parts = 0x1p-31; // as a share of the piece
 
-// Of Bernstein coefficients [degree + 1] those between two places: [degree + 1][degree + 1].
+// The matrix [degree + 1][degree + 1] that maps Bernstein coefficients [degree + 1] over [0, 1] to those over
+// [lower, upper].
 inline std::vector<double> part_matrix(int degree, double lower, double upper) {
     const auto n = static_cast<size_t>(degree) + 1;
     std::vector<double> matrix(n * n);
@@ -25,7 +27,7 @@ inline std::vector<double> part_matrix(int degree, double lower, double upper) {
     return matrix;
 }
 
-// A matrix on the coefficients along an axis; `to` does not overlap `from`.
+// Applies such a matrix to the coefficients along one axis. `to` must not overlap `from`.
 inline void apply_along(const std::vector<double> &matrix, const AxisLayers &layers, const double *from,
                         double *to) {
     const auto n = static_cast<size_t>(layers.degree) + 1, inner = static_cast<size_t>(layers.inner);

@@ -16,14 +16,18 @@ namespace nrb::mesh {
 
 namespace {
 
-// By so much cells are larger than those of the mesh where faces are compared. Of the size of all: no distances are coarse that are
-// smaller than the first; work is looked at if they are smaller than the second.
+// Faces are compared by cells for a chord error that is larger than that of the mesh by the factor `coarser`.
+// As shares of the extent: from coarse_share on a chord error is coarse, and trials begin there; below
+// fine_share it is so fine that trials are made.
 constexpr double coarser = 16, coarse_share = 0x1p-11, fine_share = 0x1p-16;
-// From one distance that is tried to the next, and the part of the work that may be spent on trials.
+// The ratio of a chord error that is tried to the next one, which is tried only if its mesh is expected to
+// take no more than this share of the work that is left.
 constexpr double step = 64, share_of_trials = 1.0 / 16;
-// What cells and segments take from the first look to the last triangle, as measured.
+// Work of a cell and of a segment, from finding them to the last triangle, as measured.
 constexpr double work_of_cell = 6 * work_of_triangle, work_of_segment = 16 * work_of_triangle;
-// Of the work: what is expected to take no more is tried as it is, since cells become larger where it ends; and what is aimed at.
+// Shares of the work that is left: the chord of the rule is kept if it is expected to take no more than
+// `most`, since cells are coarsened where the work ends; otherwise a chord is chosen that is expected to take
+// `aim`.
 constexpr double most = 0.75, aim = 0.5;
 
 double cells_of(const face::Face &face, const MeshRule &rule) {
@@ -51,7 +55,8 @@ std::vector<double> cells_of_faces(const model::Model &model, const MeshRule &ru
     return result;
 }
 
-// How many there are at a distance, and with which power of it they grow: between flat shapes and those that bend all over.
+// The number of cells or segments at the chord error tried last, and the power with which it grows as that
+// shrinks: from 0 for flat shapes to most_power for shapes that are curved everywhere.
 struct Growth {
     double most_power;
     double count = 0, power = most_power;
@@ -70,7 +75,7 @@ public:
     Trials(const model::Model &model, const MeshRule &rule)
         : model_(model), rule_(rule), chord_(rule.chord) {}
 
-    // At ever smaller distances down to one from which the rest can be told.
+    // Tries smaller and smaller chord errors, down to one from which the rest is extrapolated.
     ExpectedWork run(double largest) {
         rule_.chord = largest;
         look();
@@ -97,7 +102,7 @@ private:
         const double finer = rule_.chord / chord;
         return cells_.at(finer) * work_of_cell + segments_.at(finer) * work_of_segment;
     }
-    // By bisection of its logarithm.
+    // The smallest chord expected to take no more than `aim` of the work, by bisection of its logarithm.
     [[nodiscard]] double fitting() const {
         double low = chord_, high = rule_.chord;
         while (high > 1.01 * low) {
@@ -108,13 +113,13 @@ private:
     }
 
     const model::Model &model_;
-    MeshRule rule_; // of the last look
-    double chord_;  // of the mesh
+    MeshRule rule_; // with the chord that was tried last
+    double chord_;  // that the mesh is asked for
     std::vector<double> faces_{};
     Growth cells_{1}, segments_{0.5};
 };
 
-// What is expected of faces, from cells that are larger.
+// The expected work of each face, from cells for a larger chord error.
 std::vector<double> work_of_faces(const model::Model &model, const MeshRule &rule) {
     std::vector<double> result = cells_of_faces(model, coarsened(rule, coarser));
     for (double &face : result) {

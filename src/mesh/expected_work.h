@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a mesh of a model takes, told from coarse cells and edges before it is made.
+// Estimates the work of meshing a model, from coarse cells and edges, before the mesh is made.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -9,14 +9,15 @@
 namespace nrb::mesh {
 
 struct ExpectedWork {
-    // That of the rule, or a larger distance for which the work that is left is expected to last, where it would be exceeded: else
-    // the borders of faces, which come first, leave too little for what is between them.
+    // The chord error to mesh for: that of the rule or, if it would take more work than is left, a larger one
+    // that is expected to fit. With that of the rule, the borders of faces, which come first, would then
+    // leave too little work for the interiors.
     double chord;
-    std::vector<double> faces{}; // multiply-adds, roughly; empty: nobody needs to know
+    std::vector<double> faces{}; // of each face, in multiply-adds, roughly; empty: not needed
 };
 
-// Of a model whose largest face has a size of `extent`. Cost: a few hundredths of the mesh where work is limited, nothing for coarse
-// meshes.
+// `extent`: the longest side of the box of all control points of the model. Cost: a few hundredths of that of
+// the mesh where work is limited; nothing for coarse meshes.
 ExpectedWork expected_work(const model::Model &model, const MeshRule &rule, double extent);
 
 } // namespace nrb::mesh

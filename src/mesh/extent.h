@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large a shape is, for limits that are shares of that.
+// The extent of a shape, and rules whose limits depend on it.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -9,7 +9,7 @@
 
 namespace nrb::mesh {
 
-// The longest side of the box of control points, to which those of a spline are added.
+// Extends a bounding box by the control points of a spline. Returns the longest side of the result.
 inline double extent_of(const Spline &spline, std::vector<Interval> &box) {
     box.resize(static_cast<size_t>(spline.dim()), {infinity, -infinity});
     double extent = 0;
@@ -24,12 +24,13 @@ inline double extent_of(const Spline &spline, std::vector<Interval> &box) {
     return extent;
 }
 
-// No normal is known as well as smaller angles. For these a mesh for the eye is made.
+// Rounding makes normals less accurate than angles below 1e-7: for such a limit the mesh gets one that is
+// fine enough for display.
 inline double angle_within_reach(double angle) {
     return angle > 0 && angle < 1e-7 ? 0.1 : angle;
 }
 
-// With one distance.
+// The same rule with a single limit of the chord error: the smaller one of chord and relative * extent.
 inline MeshRule settled(MeshRule rule, double extent) {
     if (rule.relative > 0) {
         rule.chord = std::min(rule.chord, rule.relative * extent);
@@ -37,7 +38,8 @@ inline MeshRule settled(MeshRule rule, double extent) {
     return rule;
 }
 
-// About as many cells fewer as distances are larger.
+// A rule for about 1 / factor as many cells: chord errors are quadratic in the size of cells, lengths and
+// angles are linear.
 inline MeshRule coarsened(MeshRule rule, double factor) noexcept {
     rule.chord *= factor;
     rule.longest *= std::sqrt(factor);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles that stand for shapes, with the proof of how far they are from them.
+// Triangle meshes of shapes, with proven bounds of their deviation both ways; the data types of the result.
 #pragma once
 
 #include "base/numbers.h"
@@ -16,65 +16,68 @@
 
 namespace nrb::mesh {
 
-// What is asked for.
+// The limits that a mesh is asked to keep.
 struct MeshRule {
-    double chord = infinity; // the largest distance, both ways
-    double relative =
-        0; // the same as a share of the largest side of the box of all control points; 0: no limit
-    double longest = 0;     // side of a triangle; 0: no limit
-    double angle = 0;       // between the normals at the corners of a triangle; 0: no limit
-    double least_angle = 0; // of triangles inside; 0: no limit
+    double chord = infinity; // largest deviation (chord error), both ways
+    // The same as a share of the longest side of the box of all control points; 0: no limit.
+    double relative = 0;
+    double longest = 0;     // longest side of a triangle; 0: no limit
+    double angle = 0;       // largest angle between the normals at the corners of a triangle; 0: no limit
+    double least_angle = 0; // smallest angle of triangles away from the border; 0: no limit
 };
 
-// Where a face has a point: on a border of faces, at a crease or a seam a point has several.
+// A point as a face has it, with parameters and a normal. A point on an edge, a crease or a seam has several
+// vertices.
 struct MeshVertex {
     int32_t point;
     std::array<double, 2> param;
-    Vector3 normal; // of the surface, from the side of the face; NaN where there is none
+    Vector3 normal; // of the surface, as the limit from within the face; NaN where there is none
 };
 
-// What stands for a face, or a whole surface.
+// The mesh of a face, of a whole surface, or of a volume, which has no triangles.
 struct MeshFace {
     size_t first_vertex = 0, vertices = 0;
     size_t first_triangle = 0, triangles = 0;
-    double from_shape = 0; // no point of the face is farther from the triangles
-    double from_mesh = 0;  // no point of the triangles is farther from the face
-    bool reached = true;   // all that was asked for is proven
-    // What files say of it.
+    double from_shape = 0; // no point of the face is farther than this from the triangles
+    double from_mesh = 0;  // no point of the triangles is farther than this from the face
+    bool reached = true;   // the whole rule is proven to be met
+    // From the model file.
     std::string name{};
     int64_t part = 0;
     std::optional<std::array<double, 3>> colour{}; // red, green, blue from 0 to 1
-    bool turned = false; // whether the outside is where the normal of the surface does not point
+    bool turned = false; // whether the normal of the surface points away from the outside
 };
 
-// The polyline of an edge, whose points all faces at it have.
+// The polyline of an edge. All faces at the edge share its points.
 struct MeshEdge {
-    int64_t edge = -1; // of the model; -1: one of a face alone
-    size_t first = 0, points = 0;
-    double bound = 0; // no point of the one is farther from the other
+    int64_t edge = -1;            // number in the model; -1: only one face has it
+    size_t first = 0, points = 0; // in Mesh::edge_points
+    double bound = 0;             // of the Hausdorff distance of the polyline and the edge
     bool reached = true;
 };
 
-// The cell of a grid over a volume, with corners in the order of VTK, and what is known of the sign of the Jacobian of the volume in it.
+// A cell of a grid over a volume, with its corners in the order of VTK, and what is known about the sign of
+// the Jacobian determinant of the volume in it.
 struct MeshHexahedron {
-    std::array<int32_t, 8> corners; // points
+    std::array<int32_t, 8> corners; // numbers of points
     int8_t fold;                    // one of the constants of analysis/folds.h
-    int8_t sign;                    // that of the determinant where there is no fold, 0: it vanishes
+    int8_t sign;                    // of the determinant where there is no fold; 0: it vanishes
 };
 
-// Faces are in the order of those of the model, in the coordinates of their parts.
+// Faces are in the order of the model, each in the coordinates of its part.
 struct Mesh {
     std::vector<Vector3> points; // z = 0 in the plane
     std::vector<MeshVertex> vertices;
-    std::vector<std::array<int32_t, 3>>
-        triangles;              // of vertices, counterclockwise about the normal of the surface
-    std::vector<bool> paired{}; // of each triangle: it and the next one are all of a cell; empty: none are
+    // Numbers of vertices, counterclockwise about the normal of the surface.
+    std::vector<std::array<int32_t, 3>> triangles;
+    // For each triangle, whether it and the next one are the two halves of a cell; empty: none is.
+    std::vector<bool> paired{};
     std::vector<MeshFace> faces;
     std::vector<MeshEdge> edges;
     std::vector<int32_t> edge_points{};
     std::vector<MeshHexahedron> hexahedra{};    // the last axis fastest
-    std::array<std::vector<double>, 3> lines{}; // of the grid, from end to end of each axis of the volume
-    // Of the model: what it takes to put its parts into the whole.
+    std::array<std::vector<double>, 3> lines{}; // parameters of the grid, from end to end of each axis
+    // From the model: what it takes to place its parts in the whole.
     double metres_per_unit = 0; // 0: not known
     std::vector<model::ModelPart> parts{};
     std::vector<model::Use> uses{};

@@ -13,18 +13,21 @@ namespace nrb::mesh {
 
 namespace {
 
-// Rounds in which faces follow the edges that others changed.
+// Rounds in which faces are meshed again because others changed their edges.
 constexpr int most_edge_rounds = 12;
-// Of a face, at borders of which points or all triangles become others.
+// Attempts at a face in one round: a new one starts from scratch after a change of the border that the
+// triangles cannot take.
 constexpr int most_attempts = 12;
-// Triangles of faces that are kept so that these can go on: some ten megabytes.
+// Limit on the triangles in the kept state of faces, which can then be resumed: some ten megabytes.
 constexpr size_t most_kept = size_t{1} << 17;
-// Where the work is not enough: faces may seem to need more than there is by so much; distances may be larger by so
-// much; what is wanted in all where it ended in a face, as a multiple of what others and that one took.
+// When the work counts as not enough: faces are expected to need more than too_much times what there is, or
+// it ended in a face whose deviation is more than most_off times the chord. In the latter case the total is
+// put at unknown_rest times the expected work of all faces, since nobody knows what that face still needs.
 constexpr double too_much = 1.15, most_off = 8, unknown_rest = 2;
-// Times that segments of a border which cross others are divided without becoming fewer.
+// How often in a row the crossing segments of a border are divided although they do not become fewer.
 constexpr int most_in_vain = 6;
-// Of the tolerance, for edges: their segments, and what faces make of them.
+// The share of the chord error that is left to edges: to their polylines, and to the images of these in the
+// faces.
 constexpr double share_of_edges = 0.8;
 
 void append_edges(const ModelEdges &edges, Mesh &mesh) {
@@ -35,7 +38,7 @@ void append_edges(const ModelEdges &edges, Mesh &mesh) {
     }
 }
 
-// Of edges: those for which others stand.
+// Drops points of edges that nothing uses any more, because others replaced them (ModelEdges::unite()).
 void drop_loose_points(Mesh &mesh) {
     std::vector<int32_t> number(mesh.points.size(), -1);
     const auto use = [&](int32_t point) { number[static_cast<size_t>(point)] = 0; };
@@ -93,7 +96,7 @@ void append(const DomainMesh &part, Mesh &mesh) {
     }
 }
 
-// The mesh of a face, with all that it takes to go on where its border changes.
+// The mesh of a face with the state that it takes to resume when its border changes.
 struct ModelMesher::FaceWork {
     MeshDomain domain;
     std::optional<DomainMesher> mesher{};
@@ -144,7 +147,7 @@ void ModelMesher::mesh_faces(bool last) {
     }
 }
 
-// After a face for which the work was enough or not.
+// Decides, after a face, whether the work is going to be enough. `enough`: whether it was for this face.
 void ModelMesher::judge(size_t face, bool enough) noexcept {
     const bool far =
         !enough && std::max(parts_[face].from_shape, parts_[face].from_mesh) > most_off * rule_.chord;
@@ -181,12 +184,13 @@ void ModelMesher::drop_work(size_t face) {
     works_[face].reset();
 }
 
-// Faces beside others may have to go on. What that takes is kept where it is not too much.
+// Faces with neighbours may have to be resumed. Their state is kept as long as all of it together is small
+// enough.
 bool ModelMesher::is_kept(const FaceWork &work, size_t triangles) noexcept {
     return parts_.size() > 1 && work.mesher->goes_on() && kept_ + triangles <= most_kept;
 }
 
-// With the triangles that it has, or new ones.
+// Resumes with the triangles that there are, or else starts from scratch.
 void ModelMesher::run(FaceWork &work) {
     bool done = work.mesher && work.mesher->take_border() && work.mesher->run();
     for (int attempt = 1; !done && attempt <= most_attempts; ++attempt) {
@@ -198,7 +202,8 @@ void ModelMesher::run(FaceWork &work) {
     }
 }
 
-// Where cells are long, triangles beside a pole may lie on each other.
+// Whether a second attempt with triangles that are fat in space may do better: with long cells, triangles at
+// a pole may lie on each other, so that nothing is proven.
 bool ModelMesher::is_better_in_space(const FaceWork &work, const DomainMesh &made) noexcept {
     const auto &[u, v] = work.domain.collapsed;
     return !work.domain.in_space && !(made.from_shape < infinity) && (u[0] || u[1] || v[0] || v[1]);
@@ -226,8 +231,9 @@ void ModelMesher::mesh_face(size_t face, bool last) {
     }
 }
 
-// Borders that lie on each other, or pass each other at a corner, have more crossings the more vertices they have; those that are near
-// each other have until segments are nearer to their curves.
+// Whether dividing crossing segments has failed too often. Borders that overlap, or pass each other at a
+// corner, cross the more often the more vertices they have; borders that are merely close stop crossing once
+// their segments are close enough to their curves.
 bool ModelMesher::is_hopeless(size_t face, size_t crossed) noexcept {
     Crossings &own = crossings_[face];
     own.in_vain = crossed < own.fewest ? 0 : own.in_vain + 1;
@@ -235,9 +241,10 @@ bool ModelMesher::is_hopeless(size_t face, size_t crossed) noexcept {
     return own.in_vain > most_in_vain;
 }
 
-// Where a face needs it. Returns whether there is something new; other faces there are old then.
+// Divides segments and unites points of edges as a face asks. Returns whether anything changed; all faces at
+// the changed edges are then marked as old.
 bool ModelMesher::change_edges(size_t face, const FaceBorder &border, const BorderWish &wish) {
-    std::map<int64_t, std::vector<double>> places; // on polylines
+    std::map<int64_t, std::vector<double>> places; // new parameters on polylines, by their numbers
     const auto add = [&](int32_t segment, double share) {
         const BorderSegment &weak = border.segments[static_cast<size_t>(segment)];
         if (weak.line >= 0) {
@@ -253,7 +260,7 @@ bool ModelMesher::change_edges(size_t face, const FaceBorder &border, const Bord
         divide(segment, count);
     }
     if (!is_hopeless(face, wish.crossed.size())) {
-        for (const int32_t segment : wish.crossed) { // in parts of which many no longer cross
+        for (const int32_t segment : wish.crossed) { // many of the parts no longer cross
             divide(segment, 4);
         }
     }
@@ -269,7 +276,7 @@ bool ModelMesher::change_edges(size_t face, const FaceBorder &border, const Bord
     }
     for (const int64_t user : edges_.unite(wish.united)) {
         old_[static_cast<size_t>(user)] = any = true;
-        drop_work(static_cast<size_t>(user)); // its points are others
+        drop_work(static_cast<size_t>(user)); // the points that it refers to were replaced
     }
     return any;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The faces of a model as triangles, with edges in common.
+// Meshes all faces of a model. Each edge becomes a polyline once, whose points all faces at it share.
 #pragma once
 
 #include "mesh/border/model_edges.h"
@@ -14,30 +14,32 @@
 namespace nrb::mesh {
 
 MeshDomain domain_of(const Spline &surface, const face::Covering &covering);
-// With own points behind all others.
+// Appends the mesh of a face to that of the model. Its own points follow those that are there.
 void append(const DomainMesh &part, Mesh &mesh);
 
 class ModelMesher {
 public:
-    // With what is expected of each face, as for WorkShares.
+    // `work_of_faces`: the expected work of each face, as for WorkShares.
     ModelMesher(const model::Model &model, const MeshRule &rule, std::vector<double> work_of_faces);
     ~ModelMesher();
     ModelMesher(const ModelMesher &) = delete;
     ModelMesher &operator=(const ModelMesher &) = delete;
 
-    // None if it may fail, and the work is not enough for triangles about as near as the rule wants them.
+    // Returns nothing only if it may fail, and the work is not enough for triangles about as close as the
+    // rule asks.
     std::optional<Mesh> mesh(bool may_fail);
-    // After that: what would have been enough, roughly.
+    // After a failure: the work that would have been enough, roughly.
     [[nodiscard]] double wanted_work() const noexcept { return wanted_work_; }
 
 private:
     struct FaceWork;
-    struct Crossings { // of segments of a border
-        size_t fewest = std::numeric_limits<size_t>::max();
-        int in_vain = 0;
+    // Segments of the border of a face that cross others.
+    struct Crossings {
+        size_t fewest = std::numeric_limits<size_t>::max(); // so far
+        int in_vain = 0; // how often in a row dividing them did not make them fewer
     };
     [[nodiscard]] bool has_old() const;
-    // Those whose edges changed; last: no edge may change any more.
+    // Meshes the faces whose edges changed. `last`: edges may not change any more.
     void mesh_faces(bool last);
     void judge(size_t face, bool enough) noexcept;
     void mesh_face(size_t face, bool last);
@@ -56,10 +58,10 @@ private:
     double wanted_work_ = 0;
     ModelEdges edges_;
     std::vector<DomainMesh> parts_;
-    std::vector<std::unique_ptr<FaceWork>> works_; // of faces that go on where they are old
-    size_t kept_ = 0;                              // triangles of these
-    std::vector<bool> old_;                        // faces whose edges changed
-    std::vector<Crossings> crossings_;             // of faces
+    std::vector<std::unique_ptr<FaceWork>> works_; // state kept of faces, to resume when their edges change
+    size_t kept_ = 0;                              // number of triangles in works_
+    std::vector<bool> old_;            // of each face, whether its edges changed since it was meshed
+    std::vector<Crossings> crossings_; // of each face
 };
 
 } // namespace nrb::mesh

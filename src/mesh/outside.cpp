@@ -13,7 +13,7 @@ namespace nrb::mesh {
 
 namespace {
 
-// A number that looks as if it were drawn at random ("splitmix64", Steele, Lea and Flood 2014).
+// A hash with the statistics of a random number ("splitmix64", Steele, Lea and Flood 2014).
 uint64_t mixed(uint64_t x) noexcept {
     x += 0x9e3779b97f4a7c15;
     x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9;
@@ -21,15 +21,17 @@ uint64_t mixed(uint64_t x) noexcept {
     return x ^ (x >> 31U);
 }
 
-// The same for the side the other way, but for the sign: sums are 0 where each side has its counterpart, and otherwise by an
-// accident in 2^64 at most.
+// A hash of a directed side of a triangle; that of the opposite direction is its negative. So the sum over
+// all sides, modulo 2^64, is 0 if each side has a counterpart in the opposite direction, and otherwise with a
+// probability of about 2^-64.
 uint64_t side_number(int32_t from, int32_t to) noexcept {
     const auto [low, high] = std::minmax(from, to);
     const uint64_t number = mixed((static_cast<uint64_t>(low) << 32U) | static_cast<uint64_t>(high));
     return from < to ? number : 0 - number;
 }
 
-// Triangles that may close up.
+// Sums over triangles that tell whether they form a closed surface, and the sign of the volume that it
+// encloses.
 class Shell {
 public:
     Shell(const Mesh &mesh, double factor) : mesh_(mesh), factor_(factor) {}
@@ -40,7 +42,7 @@ public:
         }
         count_work(static_cast<int64_t>(32 * face.triangles));
     }
-    // By more than the rounding of the sum.
+    // Whether the triangles are closed, and the volume is negative by more than the rounding of the sum.
     [[nodiscard]] bool is_inside_out() const noexcept { return open_ == 0 && volume_ < -1e-9 * size_; }
 
 private:
@@ -64,10 +66,10 @@ private:
     }
 
     const Mesh &mesh_;
-    double factor_; // to units in which cubes of lengths neither overflow nor underflow
-    int32_t origin_ = -1;
-    uint64_t open_ = 0;
-    double volume_ = 0, size_ = 0;
+    double factor_;                // to units in which cubes of lengths neither overflow nor underflow
+    int32_t origin_ = -1;          // a point of the triangles, to which the volume is summed
+    uint64_t open_ = 0;            // sum of side numbers; 0: closed
+    double volume_ = 0, size_ = 0; // six times the signed volume, and the sum of the magnitudes
 };
 
 // A power of two that brings the largest coordinate of all near 1.
@@ -79,7 +81,7 @@ double factor_of(const Mesh &mesh) noexcept {
     return std::ldexp(1, -std::clamp(size_exponent({most, 0, 0}), -1000, 1000));
 }
 
-// solids: of each face, -1 for none.
+// Turns the faces of each part and solid that are inside out. `solids`: the solid of each face, -1: none.
 void turn_outward(const std::vector<int64_t> &solids, Mesh &mesh) {
     const double factor = factor_of(mesh);
     std::map<std::pair<int64_t, int64_t>, Shell> shells;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What files say of the faces of a mesh: their names, and which side of them is outside.
+// Labels the faces of a mesh with what the model says about them: names, colours, and which side is outside.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -7,12 +7,16 @@
 
 namespace nrb::mesh {
 
-// Names, colours, parts and their uses, the unit of length. Faces of a solid have their outside where the model has it. Of the
-// others in a part each shell, the faces that hang together by edges, is seen as its first face is. Where the triangles of a solid,
-// or those of a part that bound none, close up and enclose a negative volume, all of them are turned: they are inside out.
+// Copies names, colours, parts with their uses and the unit of length, and sets on which side the faces have
+// their outside.
+// - Faces of a solid are oriented as in the model.
+// - Faces of no solid are oriented shell by shell (a shell: faces connected by shared edges), as the first
+//   face of each.
+// - If then the triangles of a solid, or those of all faces of a part that bound no solid, are closed and
+//   enclose a negative volume, they are inside out, and all of these faces are turned.
 void label(const model::Model &model, Mesh &mesh);
 
-// The same of the mesh of one surface.
+// The same for the mesh of a single surface, which becomes the only part.
 void label_as_one_part(Mesh &mesh);
 
 } // namespace nrb::mesh

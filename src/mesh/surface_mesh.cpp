@@ -19,8 +19,10 @@ namespace nrb::mesh {
 
 namespace {
 
-// Where the work is not enough: distances that are tried; the share of the work for each but the last; by what the next distance is
-// larger, so that what this one wants comes down to less than there is, as it falls with a power of the distance.
+// Where the work is not enough, larger chord errors are tried: most_distances in all, each but the last with
+// share_of_first of the work that is left. The work falls with the chord error to the power -growth; so the
+// next one is chosen such that the work wanted now, times `reserve`, comes down to what there is, within a
+// factor from least_coarser to most_coarser.
 constexpr int most_distances = 4;
 constexpr double share_of_first = 0.65, reserve = 1.3, growth = 0.7, least_coarser = 2, most_coarser = 64;
 
@@ -33,9 +35,10 @@ double extent_of_faces(const model::Model &model) {
     return extent;
 }
 
-// Where triangles were made for a larger distance, they may yet be as near as they are to be.
+// Judges triangles that were made for a coarser rule by the one that was asked for: they may be close enough
+// all the same.
 void set_reached(const MeshRule &rule, Mesh &mesh) noexcept {
-    const bool other = rule.longest > 0 || rule.angle > 0; // which larger ones were made for
+    const bool other = rule.longest > 0 || rule.angle > 0; // these were coarsened and are not checked again
     for (MeshFace &face : mesh.faces) {
         face.reached = face.reached && !other && std::max(face.from_shape, face.from_mesh) <= rule.chord;
     }
@@ -68,7 +71,8 @@ std::optional<Mesh> mesh_with_part(ModelMesher &mesher, bool last) {
     return mesher.mesh(!last);
 }
 
-// Where the work ends there are triangles that nobody came to divide: those of a larger distance are nearer.
+// Where the work ends early, triangles are left that were never divided: a complete mesh for a larger chord
+// error is closer to the shape.
 Mesh mesh_within_work(const model::Model &model, const MeshRule &rule) {
     const double extent = extent_of_faces(model);
     const MeshRule asked = settled(rule, extent);
@@ -96,12 +100,13 @@ void check_surfaces(const model::Model &model) {
     }
 }
 
-// Of the work that is left for this distance and smaller ones: triangles are as many as what they are near to is large.
+// The share of a mesh in the progress that is left for it and the finer ones: the number of triangles is
+// about proportional to 1 / chord. `rest`: the sum of 1 / chord over all of these.
 double share_of(double chord, double rest) noexcept {
     return std::isfinite(1 / chord) && rest > 0 ? 1 / chord / rest : 0.5;
 }
 
-// Calls make(chord), from coarse to fine: a limit of work is for the coarse ones first.
+// Calls make(chord) for each level, from coarse to fine, so that limited work goes to the coarse ones first.
 template <class Make>
 std::vector<MeshPtr> level_by_level(const Levels &levels, Make &&make) {
     std::vector<size_t> order(levels.chords.size());

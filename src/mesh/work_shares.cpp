@@ -10,9 +10,10 @@ namespace nrb::mesh {
 
 namespace {
 
-// What a face may take in any case, as a multiple of its share.
+// What a face may take in any case, as a multiple of its share of the work that is left.
 constexpr double more_than_share = 1.5;
-// From so much of the whole on faces tell what others take.
+// The share of a round's expected work that has to be done before it is used to correct the estimate for the
+// other faces.
 constexpr double telling = 0.25;
 
 } // namespace

@@ -195,21 +195,22 @@ module nurbs_c
         integer(c_int32_t) :: reserved  ! 0
     end type nurbs_read_options
 
-    !> How near to a shape its mesh is to be; fill with nurbs_mesh_options_init() first. NULL stands for the
+    !> How near a mesh has to be to its shape; fill with nurbs_mesh_options_init() first. NULL stands for the
     !> defaults as well. Fields are only ever appended, and struct_size is at most 4096. All limits that are
     !> given hold. The extent is the longest side of the box of all control points of all surfaces. \since 1.1
     type, bind(c) :: nurbs_mesh_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
-        real(c_double) :: chord  ! the largest distance of shape and mesh, both ways, > 0; INFINITY
-        real(c_double) :: relative_chord  ! the same as a share of the extent, >= 0; 0: no limit; 1e-3
-        real(c_double) :: longest  ! length of sides of triangles, >= 0; 0: no limit; 0
-        real(c_double) :: angle  ! of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0
-        real(c_double) :: minimum_angle  ! of triangles inside, in radians, 0 to pi / 6; 0: no limit; 0
+        real(c_double) :: chord  ! largest distance between shape and mesh, both ways, > 0; default INFINITY
+        real(c_double) :: relative_chord  ! the same as a share of the extent, >= 0; 0: no limit; default 1e-3
+        real(c_double) :: longest  ! largest length of sides of triangles, >= 0; 0: no limit; default 0
+        real(c_double) :: angle  ! of triangles' corner normals, radians, 0 to pi; 0, pi: no limit; default 0
+        ! smallest of triangles inside, radians, 0 to pi / 6; 0: no limit; default 0
+        real(c_double) :: minimum_angle
     end type nurbs_mesh_options
 
-    !> Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields
-    !> are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least
-    !> one of its faces, since readers take more where edges need it, and 1e-7 metres if it has none.
+    !> Settings for nurbs_model_write() and similar functions; fill with nurbs_write_options_init() first.
+    !> Fields are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the
+    !> least one of its faces, since readers enlarge it where edges need that, and 1e-7 metres if it has none.
     type, bind(c) :: nurbs_write_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         real(c_double) :: unit  ! unit of the file in metres; 0: that of the model, millimetres if it has none
@@ -2890,7 +2891,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_roots
-        !> nurbs_roots() as a call that can be watched and ended.
+        !> nurbs_roots() with progress reports, cancellation and a limit of work.
         function nurbs_roots_with(g, value, tolerance, cap, params, kinds, ranges, count, complete, call) &
                 bind(c) result(r)
             import
@@ -2903,8 +2904,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_roots_with
-        !> Where a curve meets a line, a plane, a conic, a sphere, a quadric or another set f(x) = 0 of a
-        !> polynomial f.
+        !> Where a curve meets a line, plane, conic, sphere, quadric or other set f(x) = 0 of a polynomial f.
         function nurbs_curve_level(g, degree, coefficients, tolerance, cap, params, kinds, ranges, count, &
                 complete) bind(c) result(r)
             import
@@ -2918,7 +2918,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_level
-        !> nurbs_curve_level() as a call that can be watched and ended.
+        !> nurbs_curve_level() with progress reports, cancellation and a limit of work.
         function nurbs_curve_level_with(g, degree, coefficients, tolerance, cap, params, kinds, ranges, &
                 count, complete, call) bind(c) result(r)
             import
@@ -2945,7 +2945,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_intersections
-        !> nurbs_curve_intersections() as a call that can be watched and ended.
+        !> nurbs_curve_intersections() with progress reports, cancellation and a limit of work.
         function nurbs_curve_intersections_with(a, b, tolerance, cap, params_a, params_b, kinds, ranges_a, &
                 ranges_b, count, complete, call) bind(c) result(r)
             import
@@ -2958,7 +2958,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_intersections_with
-        !> Where a curve meets itself, at places a < b: as nurbs_curve_intersections() of its parts.
+        !> Where a curve meets itself, at pairs of parameters a < b.
         function nurbs_curve_self_intersections(g, tolerance, cap, params_a, params_b, kinds, ranges_a, &
                 ranges_b, count, complete) bind(c) result(r)
             import
@@ -2970,7 +2970,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_self_intersections
-        !> nurbs_curve_self_intersections() as a call that can be watched and ended.
+        !> nurbs_curve_self_intersections() with progress reports, cancellation and a limit of work.
         function nurbs_curve_self_intersections_with(g, tolerance, cap, params_a, params_b, kinds, ranges_a, &
                 ranges_b, count, complete, call) bind(c) result(r)
             import
@@ -2996,7 +2996,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_surface_intersections
-        !> nurbs_curve_surface_intersections() as a call that can be watched and ended.
+        !> nurbs_curve_surface_intersections() with progress reports, cancellation and a limit of work.
         function nurbs_curve_surface_intersections_with(curve, surface, tolerance, cap, params_curve, &
                 params_surface, kinds, ranges_curve, ranges_surface, count, complete, call) bind(c) result(r)
             import
@@ -3022,7 +3022,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_surfaces_common_points
-        !> nurbs_surfaces_common_points() as a call that can be watched and ended.
+        !> nurbs_surfaces_common_points() with progress reports, cancellation and a limit of work.
         function nurbs_surfaces_common_points_with(a, b, c, tolerance, cap, params, points, kinds, ranges, &
                 count, complete, call) bind(c) result(r)
             import
@@ -3035,7 +3035,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_surfaces_common_points_with
-        !> Where rays x = origin + t direction, t >= 0, meet a surface first.
+        !> The first hits of rays x = origin + t direction, t >= 0, with a surface.
         function nurbs_surface_rays(g, n, origins, origin_stride, origin_component_stride, directions, &
                 direction_stride, direction_component_stride, params, distances, status) bind(c) result(r)
             import
@@ -3047,7 +3047,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status(*)
             integer(c_int32_t) :: r
         end function nurbs_surface_rays
-        !> nurbs_surface_rays() as a call that can be watched and ended.
+        !> nurbs_surface_rays() with progress reports, cancellation and a limit of work.
         function nurbs_surface_rays_with(g, n, origins, origin_stride, origin_component_stride, directions, &
                 direction_stride, direction_component_stride, params, distances, status, call) bind(c) &
                 result(r)
@@ -3061,7 +3061,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_surface_rays_with
-        !> All places where a ray meets a surface, by rising t, as nurbs_surface_rays() finds the first.
+        !> All places where a ray meets a surface, in the order of rising t.
         function nurbs_surface_ray_hits(g, origin, direction, range, cap, params, distances, kinds, count, &
                 complete) bind(c) result(r)
             import
@@ -3084,7 +3084,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_sections
-        !> nurbs_surface_sections() as a call that can be watched and ended.
+        !> nurbs_surface_sections() with progress reports, cancellation and a limit of work.
         function nurbs_surface_sections_with(g, normal, n, offsets, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3095,9 +3095,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_sections_with
-        !> Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all, as curves
-        !> in space and in the parameter domain. f of the kinds is a polynomial on each Bezier piece, whose
-        !> zeros are followed as nurbs_surface_sections() does, with f > 0 on the left of branches.
+        !> Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all.
         function nurbs_surface_contours(g, kind, d, n, cosines, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3108,7 +3106,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_contours
-        !> nurbs_surface_contours() as a call that can be watched and ended, as nurbs_surface_sections_with().
+        !> nurbs_surface_contours() with progress reports, cancellation and a limit of work.
         function nurbs_surface_contours_with(g, kind, d, n, cosines, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3120,8 +3118,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_contours_with
-        !> Lines of light that a surface mirrors, for looking at how fair it is: all of them, proven to be
-        !> all, as nurbs_surface_contours() finds contours.
+        !> Reflection lines and highlight lines of a surface, which show how fair it is.
         function nurbs_surface_reflections(g, kind, eye, direction, n, points, point_stride, &
                 point_component_stride, tolerance, out) bind(c) result(r)
             import
@@ -3134,8 +3131,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_reflections
-        !> nurbs_surface_reflections() as a call that can be watched and ended, as
-        !> nurbs_surface_sections_with().
+        !> nurbs_surface_reflections() with progress reports, cancellation and a limit of work.
         function nurbs_surface_reflections_with(g, kind, eye, direction, n, points, point_stride, &
                 point_component_stride, tolerance, call, out) bind(c) result(r)
             import
@@ -3149,9 +3145,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_reflections_with
-        !> Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere,
-        !> any quadric or algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each
-        !> Bezier piece, followed as by nurbs_surface_contours(), with f > 0 on the left of branches.
+        !> Where an implicit polynomial f of space vanishes on a surface.
         function nurbs_surface_level(g, degree, coefficients, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3161,7 +3155,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_level
-        !> nurbs_surface_level() as a call that can be watched and ended, as nurbs_surface_sections_with().
+        !> nurbs_surface_level() with progress reports, cancellation and a limit of work.
         function nurbs_surface_level_with(g, degree, coefficients, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3172,8 +3166,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_level_with
-        !> Level curves of a scalar spline over a surface: where a temperature, a pressure or a thickness has
-        !> given values, all of them, proven to be all.
+        !> Level curves of a scalar spline over a surface, such as a temperature, a pressure or a thickness.
         function nurbs_surface_level_curves(g, scalar, n, values, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: g, scalar
@@ -3183,8 +3176,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_level_curves
-        !> nurbs_surface_level_curves() as a call that can be watched and ended, as
-        !> nurbs_surface_sections_with().
+        !> nurbs_surface_level_curves() with progress reports, cancellation and a limit of work.
         function nurbs_surface_level_curves_with(g, scalar, n, values, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g, scalar
@@ -3203,8 +3195,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_intersections
-        !> nurbs_surface_intersections() as a call that can be watched and ended, as
-        !> nurbs_surface_sections_with().
+        !> nurbs_surface_intersections() with progress reports, cancellation and a limit of work.
         function nurbs_surface_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -3213,8 +3204,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_intersections_with
-        !> Where a surface meets itself: all curves along which it takes points twice, or the proof that there
-        !> are none.
+        !> Where a surface meets itself: all curves of double points, or the proof that there are none.
         function nurbs_surface_self_intersections(g, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3222,8 +3212,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_self_intersections
-        !> nurbs_surface_self_intersections() as a call that can be watched and ended, as
-        !> nurbs_surface_sections_with().
+        !> nurbs_surface_self_intersections() with progress reports, cancellation and a limit of work.
         function nurbs_surface_self_intersections_with(g, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3232,10 +3221,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_self_intersections_with
-        !> Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of
-        !> the loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that
-        !> they share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model
-        !> meet in their edges.
+        !> Where two faces meet: in curves, in regions, and in the edges that they share.
         function nurbs_face_intersections(a, b, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -3243,8 +3229,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_intersections
-        !> nurbs_face_intersections() as a call that can be watched and ended, as
-        !> nurbs_surface_sections_with().
+        !> nurbs_face_intersections() with progress reports, cancellation and a limit of work.
         function nurbs_face_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -3253,8 +3238,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_intersections_with
-        !> A curve projected onto a surface, along a direction d or, without one, normally: all curves of the
-        !> projected points, proven to be all.
+        !> A curve projected onto a surface, along a direction d or along the normals of the surface.
         function nurbs_surface_project_curve(g, curve, direction, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: g, curve
@@ -3263,8 +3247,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_project_curve
-        !> nurbs_surface_project_curve() as a call that can be watched and ended, as
-        !> nurbs_surface_sections_with().
+        !> nurbs_surface_project_curve() with progress reports, cancellation and a limit of work.
         function nurbs_surface_project_curve_with(g, curve, direction, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g, curve
@@ -3274,9 +3257,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_surface_project_curve_with
-        !> A curve projected onto a face, along a direction or normally: what of nurbs_surface_project_curve()
-        !> on its surface is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the
-        !> face they end in nodes BORDER.
+        !> A curve projected onto a face, along a direction or along the normals of its surface.
         function nurbs_face_project_curve(face, curve, direction, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: face, curve
@@ -3285,8 +3266,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_project_curve
-        !> nurbs_face_project_curve() as a call that can be watched and ended, as
-        !> nurbs_surface_sections_with().
+        !> nurbs_face_project_curve() with progress reports, cancellation and a limit of work.
         function nurbs_face_project_curve_with(face, curve, direction, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: face, curve
@@ -3308,7 +3288,7 @@ module nurbs_c
             import
             type(c_ptr), value :: meet
         end subroutine nurbs_meet_destroy
-        !> How much a meet holds.
+        !> The numbers of branches and nodes of a meet, and whether it is complete.
         function nurbs_meet_counts(meet, branches, nodes, complete) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3325,7 +3305,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: deviations(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_branches
-        !> What the branches of a meet are.
+        !> What kind each branch of a meet is.
         function nurbs_meet_kinds(meet, cap, kinds, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3334,7 +3314,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_meet_kinds
-        !> A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
+        !> A branch of a meet, as curves in space and in the parameter domain.
         function nurbs_meet_branch(meet, index, space, on_surface) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3342,7 +3322,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: space, on_surface
             integer(c_int32_t) :: r
         end function nurbs_meet_branch
-        !> The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
+        !> The curve of a branch on the second of two surfaces; in a projection, the curve of (t, h).
         function nurbs_meet_branch_second(meet, index, on_second) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3350,7 +3330,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: on_second
             integer(c_int32_t) :: r
         end function nurbs_meet_branch_second
-        !> The nodes of a meet: where branches end, and where there may be more than they tell.
+        !> The nodes of a meet: where branches end, and where something is not resolved.
         function nurbs_meet_nodes(meet, cap, levels, kinds, params, ranges, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3360,7 +3340,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), ranges(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes
-        !> Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
+        !> Where the nodes of a meet are on the second of two surfaces; in a projection, their (t, h).
         function nurbs_meet_nodes_second(meet, cap, params, ranges, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3369,7 +3349,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_meet_nodes_second
-        !> The ways that the branches of a meet make, from one to the next.
+        !> The ways of a meet: chains of branches, each of which continues the one before.
         function nurbs_meet_ways(meet, cap, levels, firsts, sizes, closes, gaps, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3379,7 +3359,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gaps(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_ways
-        !> Where the branches of nurbs_model_sections() are: on which faces. -1 in a meet of one surface.
+        !> The faces on which the branches of a meet of a model lie; -1 in other meets.
         function nurbs_meet_faces(meet, cap, own_faces, own_instances, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3387,8 +3367,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
             integer(c_int32_t) :: r
         end function nurbs_meet_faces
-        !> Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in
-        !> other meets.
+        !> The faces of the second model of nurbs_model_intersections() on which branches lie; else -1.
         function nurbs_meet_faces_second(meet, cap, own_faces, own_instances, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3396,7 +3375,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
             integer(c_int32_t) :: r
         end function nurbs_meet_faces_second
-        !> How ways go on at the nodes of a meet, and on which faces of a model these are.
+        !> How branches continue at the nodes of a meet, and on which faces of a model these nodes are.
         function nurbs_meet_joints(meet, cap, next_nodes, gaps, own_faces, own_instances, count) bind(c) &
                 result(r)
             import
@@ -3407,7 +3386,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gaps(*)
             integer(c_int32_t) :: r
         end function nurbs_meet_joints
-        !> On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+        !> The faces of the second model of nurbs_model_intersections() on which nodes are; else -1.
         function nurbs_meet_joints_second(meet, cap, own_faces, own_instances, count) bind(c) result(r)
             import
             type(c_ptr), value :: meet
@@ -3415,15 +3394,14 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: own_faces(*), own_instances(*), count
             integer(c_int32_t) :: r
         end function nurbs_meet_joints_second
-        !> What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
-        !> BORDER on them, and the nodes of these parts.
+        !> The part of a meet that lies in a face.
         function nurbs_meet_trim(meet, face, out) bind(c) result(r)
             import
             type(c_ptr), value :: meet, face
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_meet_trim
-        !> nurbs_meet_trim() as a call that can be watched and ended.
+        !> nurbs_meet_trim() with progress reports, cancellation and a limit of work.
         function nurbs_meet_trim_with(meet, face, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: meet, face
@@ -3431,16 +3409,14 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_meet_trim_with
-        !> What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of
-        !> the first: curves in the domain of the second surface are cut where they cross the loops, and all
-        !> curves of a branch with them.
+        !> The part of a meet of two surfaces that lies in a face of the second one.
         function nurbs_meet_trim_second(meet, face, out) bind(c) result(r)
             import
             type(c_ptr), value :: meet, face
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_meet_trim_second
-        !> nurbs_meet_trim_second() as a call that can be watched and ended.
+        !> nurbs_meet_trim_second() with progress reports, cancellation and a limit of work.
         function nurbs_meet_trim_second_with(meet, face, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: meet, face
@@ -4293,8 +4269,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_bytes_kind
         ! --- Models
-        !> Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
-        !> says.
+        !> Reads the faces, edges and vertices of a STEP or an IGES file.
         function nurbs_read_model(bytes, size, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -4303,7 +4278,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_model
-        !> nurbs_read_model() as a call that can be watched and ended.
+        !> nurbs_read_model() with progress reports, cancellation and a limit of work.
         function nurbs_read_model_with(bytes, size, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -4313,7 +4288,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_model_with
-        !> Reads a file by its path; see nurbs_read_model().
+        !> Reads a model from a file by its path; see nurbs_read_model().
         function nurbs_read_model_file(path, options, out) bind(c) result(r)
             import
             character(kind=c_char), intent(in) :: path(*)
@@ -4321,7 +4296,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_model_file
-        !> nurbs_read_model_file() as a call that can be watched and ended.
+        !> nurbs_read_model_file() with progress reports, cancellation and a limit of work.
         function nurbs_read_model_file_with(path, options, call, out) bind(c) result(r)
             import
             character(kind=c_char), intent(in) :: path(*)
@@ -4330,7 +4305,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_model_file_with
-        !> A model of faces, with one part and one use of it.
+        !> A model made of faces, with one part and one use of it.
         function nurbs_model_create(count, faces, metres, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -4339,9 +4314,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_create
-        !> A model of patches that do not know each other, with one part and one use of it: pieces of their
-        !> boundaries that lie along each other become common edges, so that nurbs_mesh_model() makes a mesh
-        !> without gaps.
+        !> A model sewn from patches without topology: boundaries that coincide become common edges.
         function nurbs_model_sew(count, faces, tolerance, metres, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -4350,7 +4323,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_sew
-        !> nurbs_model_sew() as a call that can be watched and ended.
+        !> nurbs_model_sew() with progress reports, cancellation and a limit of work.
         function nurbs_model_sew_with(count, faces, tolerance, metres, call, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -4372,14 +4345,14 @@ module nurbs_c
             import
             type(c_ptr), value :: model
         end subroutine nurbs_model_destroy
-        !> How much a model holds.
+        !> The numbers of parts, uses, faces, edges and vertices of a model.
         function nurbs_model_counts(model, parts, uses, faces, edges, vertices) bind(c) result(r)
             import
             type(c_ptr), value :: model
             integer(c_int64_t), intent(inout), optional :: parts, uses, faces, edges, vertices
             integer(c_int32_t) :: r
         end function nurbs_model_counts
-        !> A face of a model.
+        !> A face of a model, with its part, kind, orientation and colour.
         function nurbs_model_face(model, index, part, shape, against, colour, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4390,9 +4363,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_face
-        !> The name of a face, from the file (STEP: name of the face; IGES: name property, else label and
-        !> subscript); else the number of its entity, such as "#18" in STEP and "144#17" in IGES; in other
-        !> models its index.
+        !> The name of a face.
         function nurbs_model_face_name(model, index, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4410,8 +4381,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: in_void
             integer(c_int32_t) :: r
         end function nurbs_model_face_solid
-        !> The layers that a face is in, by itself or as part of a shell, a solid or a representation (STEP);
-        !> else by its shell or solid (IGES).
+        !> The layers that a face is in.
         function nurbs_model_face_layers(model, index, cap, layers, count) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4419,7 +4389,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: layers(*), count
             integer(c_int32_t) :: r
         end function nurbs_model_face_layers
-        !> An edge of a model.
+        !> An edge of a model, with its part, end vertices and kind.
         function nurbs_model_edge(model, index, part, end_vertices, shape, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4437,9 +4407,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: places(*), count
             integer(c_int32_t) :: r
         end function nurbs_model_edge_uses
-        !> How well faces meet at the edges of a model: how many uses each has, 1 where a face ends, and how
-        !> far the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation()
-        !> finds it.
+        !> How well faces meet at the edges of a model: the number of uses and the largest gap of each edge.
         function nurbs_model_edge_gaps(model, cap, uses, gaps, bounded, count) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4475,7 +4443,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: placement(*)
             integer(c_int32_t) :: r
         end function nurbs_model_use
-        !> Where the parts of a model stand in the whole: each way through uses of parts in parts.
+        !> Where the parts of a model stand in the whole: each chain of uses from the whole to a part.
         function nurbs_model_instances(model, cap, parents, last_uses, own_parts, placements, count) bind(c) &
                 result(r)
             import
@@ -4485,8 +4453,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: placements(*)
             integer(c_int32_t) :: r
         end function nurbs_model_instances
-        !> Where rays x = origin + t direction, t >= 0, meet the faces of a model first, of all parts where
-        !> they stand in the whole (nurbs_model_instances()).
+        !> The first hits of rays x = origin + t direction, t >= 0, with the faces of a model.
         function nurbs_model_rays(model, n, origins, directions, params, distances, status, places) bind(c) &
                 result(r)
             import
@@ -4498,7 +4465,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: places(*)
             integer(c_int32_t) :: r
         end function nurbs_model_rays
-        !> nurbs_model_rays() as a call that can be watched and ended.
+        !> nurbs_model_rays() with progress reports, cancellation and a limit of work.
         function nurbs_model_rays_with(model, n, origins, directions, params, distances, status, places, &
                 call) bind(c) result(r)
             import
@@ -4511,8 +4478,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_rays_with
-        !> All places where a ray meets the faces of a model, by rising t, as nurbs_model_rays() finds the
-        !> first.
+        !> All places where a ray meets the faces of a model, in the order of rising t.
         function nurbs_model_ray_hits(model, origin, direction, range, cap, params, distances, kinds, &
                 places, count, complete) bind(c) result(r)
             import
@@ -4525,8 +4491,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: places(*), count
             integer(c_int32_t) :: r
         end function nurbs_model_ray_hits
-        !> nurbs_model_ray_hits() as a call that can be watched and ended; at the limit of work it is not
-        !> complete.
+        !> nurbs_model_ray_hits() with progress reports, cancellation and a limit of work.
         function nurbs_model_ray_hits_with(model, origin, direction, range, cap, params, distances, kinds, &
                 places, count, complete, call) bind(c) result(r)
             import
@@ -4540,8 +4505,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_ray_hits_with
-        !> Whether points are inside the solids of a closed model: a ray from the point leaves a solid once
-        !> more than it enters it.
+        !> Whether points are inside the solids of a closed model.
         function nurbs_model_classify(model, n, points, point_stride, point_component_stride, tolerance, &
                 sides) bind(c) result(r)
             import
@@ -4552,7 +4516,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout) :: sides(*)
             integer(c_int32_t) :: r
         end function nurbs_model_classify
-        !> nurbs_model_classify() as a call that can be watched and ended.
+        !> nurbs_model_classify() with progress reports, cancellation and a limit of work.
         function nurbs_model_classify_with(model, n, points, point_stride, point_component_stride, &
                 tolerance, sides, call) bind(c) result(r)
             import
@@ -4564,9 +4528,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_classify_with
-        !> The points of all faces of a model, where their parts stand in the whole (nurbs_model_instances()),
-        !> that are nearest to given points: of each face as nurbs_face_closest_points() finds them, the
-        !> nearest boxes first, so that few faces are searched.
+        !> The points of a model that are nearest to given points.
         function nurbs_model_closest_points(model, n, points, point_stride, point_component_stride, &
                 tolerance, params, feet, distances, status, places) bind(c) result(r)
             import
@@ -4579,7 +4541,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: places(*)
             integer(c_int32_t) :: r
         end function nurbs_model_closest_points
-        !> nurbs_model_closest_points() as a call that can be watched and ended.
+        !> nurbs_model_closest_points() with progress reports, cancellation and a limit of work.
         function nurbs_model_closest_points_with(model, n, points, point_stride, point_component_stride, &
                 tolerance, params, feet, distances, status, places, call) bind(c) result(r)
             import
@@ -4593,8 +4555,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_closest_points_with
-        !> Where planes of any directions cut the faces of a model where they stand in the whole
-        !> (nurbs_model_instances()), joined to ways over the edges that faces share.
+        !> Where planes cut the faces of a model, with the curves joined to ways over shared edges.
         function nurbs_model_sections(model, n, normals, offsets, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4604,7 +4565,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_sections
-        !> nurbs_model_sections() as a call that can be watched and ended.
+        !> nurbs_model_sections() with progress reports, cancellation and a limit of work.
         function nurbs_model_sections_with(model, n, normals, offsets, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4615,8 +4576,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_sections_with
-        !> Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined
-        !> to ways over the edges that faces share: the curves of a union, a difference or an intersection.
+        !> Where the faces of two models meet, with the curves joined to ways over shared edges.
         function nurbs_model_intersections(a, b, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -4624,7 +4584,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_intersections
-        !> nurbs_model_intersections() as a call that can be watched and ended.
+        !> nurbs_model_intersections() with progress reports, cancellation and a limit of work.
         function nurbs_model_intersections_with(a, b, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -4633,7 +4593,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_intersections_with
-        !> Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+        !> The area of all faces of a model where they stand in the whole (nurbs_model_instances()).
         function nurbs_model_area(model, relative_tolerance, area, error) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4642,7 +4602,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_model_area
-        !> nurbs_model_area() as a call that can be watched and ended.
+        !> nurbs_model_area() with progress reports, cancellation and a limit of work.
         function nurbs_model_area_with(model, relative_tolerance, area, error, call) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4652,9 +4612,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_area_with
-        !> Volume, centroid and inertia of the solids of a closed model where they stand in the whole
-        !> (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as
-        !> nurbs_enclosed_volume() has it of whole surfaces.
+        !> Volume, centroid and inertia of the solids of a closed model.
         function nurbs_model_volume(model, relative_tolerance, volume, centroid, inertia, openness, error) &
                 bind(c) result(r)
             import
@@ -4664,7 +4622,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
             integer(c_int32_t) :: r
         end function nurbs_model_volume
-        !> nurbs_model_volume() as a call that can be watched and ended.
+        !> nurbs_model_volume() with progress reports, cancellation and a limit of work.
         function nurbs_model_volume_with(model, relative_tolerance, volume, centroid, inertia, openness, &
                 error, call) bind(c) result(r)
             import
@@ -4675,8 +4633,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_volume_with
-        !> The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
-        !> notes on all that was not read.
+        !> The curves and surfaces of a file that are part of no face or edge, as a list.
         function nurbs_model_splines(model, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4691,16 +4648,14 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: layers(*), count
             integer(c_int32_t) :: r
         end function nurbs_model_spline_layers
-        !> How many layers faces and splines of a model are in.
+        !> The number of layers that faces and splines of a model are in.
         function nurbs_model_layer_count(model, count) bind(c) result(r)
             import
             type(c_ptr), value :: model
             integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_model_layer_count
-        !> The name of a layer: of a PRESENTATION_LAYER_ASSIGNMENT in STEP, where those of equal names are
-        !> one; the number of a level in IGES, such as "3", or what a property (406 form 3) says that the
-        !> level is for.
+        !> The name of a layer.
         function nurbs_model_layer(model, index, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4710,8 +4665,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_model_layer
         ! --- Regions, and parts of faces
-        !> The region that closed curves of the plane enclose, however they cross, touch or lie in each other:
-        !> outlines of fonts, paths of cutters.
+        !> The region of the plane that closed curves enclose, however they cross, touch or lie in each other.
         function nurbs_region_create(count, curves, rule, tolerance, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -4721,7 +4675,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_region_create
-        !> nurbs_region_create() as a call that can be watched and ended.
+        !> nurbs_region_create() with progress reports, cancellation and a limit of work.
         function nurbs_region_create_with(count, curves, rule, tolerance, call, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -4732,7 +4686,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_region_create_with
-        !> The union, intersection or difference of two regions.
+        !> The union, intersection, difference or symmetric difference of two regions.
         function nurbs_region_combine(rule, count_a, a, count_b, b, tolerance, out) bind(c) result(r)
             import
             integer(c_int32_t), value :: rule
@@ -4742,7 +4696,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_region_combine
-        !> nurbs_region_combine() as a call that can be watched and ended.
+        !> nurbs_region_combine() with progress reports, cancellation and a limit of work.
         function nurbs_region_combine_with(rule, count_a, a, count_b, b, tolerance, call, out) bind(c) &
                 result(r)
             import
@@ -4754,8 +4708,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_region_combine_with
-        !> The parts of a face that curves in the domain of its surface divide it into: what is cut with them,
-        !> or along curves where it meets other shapes.
+        !> The parts into which curves in the domain of its surface divide a face.
         function nurbs_face_split(face, count, curves, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4765,7 +4718,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_split
-        !> nurbs_face_split() as a call that can be watched and ended.
+        !> nurbs_face_split() with progress reports, cancellation and a limit of work.
         function nurbs_face_split_with(face, count, curves, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4776,9 +4729,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_split_with
-        !> What of a face lies on one side of a surface: the parts into which the curves of
-        !> nurbs_surface_intersections() divide it, as nurbs_face_split() makes them, without those on the
-        !> other side.
+        !> The parts of a face that lie on one side of a surface.
         function nurbs_face_trim(face, surface, side, tolerance, out) bind(c) result(r)
             import
             type(c_ptr), value :: face, surface
@@ -4787,7 +4738,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_trim
-        !> nurbs_face_trim() as a call that can be watched and ended.
+        !> nurbs_face_trim() with progress reports, cancellation and a limit of work.
         function nurbs_face_trim_with(face, surface, side, tolerance, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: face, surface
@@ -4798,8 +4749,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_face_trim_with
         ! --- Meshes
-        !> A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
-        !> they replace, both ways, is at most `chord`.
+        !> A polyline that approximates a curve within a proven distance.
         function nurbs_mesh_curve(g, chord, angle, longest, cap, params, points, bound, reached, count) &
                 bind(c) result(r)
             import
@@ -4811,7 +4761,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_mesh_curve
-        !> nurbs_mesh_curve() as a call that can be watched and ended.
+        !> nurbs_mesh_curve() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_curve_with(g, chord, angle, longest, cap, params, points, bound, reached, count, &
                 call) bind(c) result(r)
             import
@@ -4831,7 +4781,7 @@ module nurbs_c
             integer(c_int64_t), value :: struct_size
             integer(c_int32_t) :: r
         end function nurbs_mesh_options_init
-        !> Triangles in place of a whole surface.
+        !> A triangle mesh of a whole surface, within proven distances.
         function nurbs_mesh_surface(g, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -4839,7 +4789,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_surface
-        !> nurbs_mesh_surface() as a call that can be watched and ended.
+        !> nurbs_mesh_surface() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_surface_with(g, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -4848,8 +4798,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_surface_with
-        !> Triangles in place of a trimmed face: cells as of nurbs_mesh_surface() inside, and between these
-        !> and the border a constrained Delaunay triangulation.
+        !> A triangle mesh of a trimmed face, within proven distances.
         function nurbs_mesh_face(face, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4857,8 +4806,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_face
-        !> nurbs_mesh_face() as a call that can be watched and ended; the limit of work is as for
-        !> nurbs_mesh_surface_with().
+        !> nurbs_mesh_face() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_face_with(face, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4867,7 +4815,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_face_with
-        !> Triangles in place of all faces of a model, as of nurbs_mesh_face().
+        !> A triangle mesh of all faces of a model, within proven distances.
         function nurbs_mesh_model(model, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4875,8 +4823,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_model
-        !> nurbs_mesh_model() as a call that can be watched and ended; the limit of work is as for
-        !> nurbs_mesh_surface_with().
+        !> nurbs_mesh_model() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_model_with(model, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4885,9 +4832,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_model_with
-        !> Meshes of a whole surface for several distances, as programs that draw want them: each is as
-        !> nurbs_mesh_surface() makes it with `chord` = chords[i] and `relative_chord` = 0, bit for bit,
-        !> unless it comes to a limit of work.
+        !> Meshes of a whole surface for several distances, as levels of detail for drawing.
         function nurbs_mesh_surface_levels(g, count, chords, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -4897,7 +4842,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_surface_levels
-        !> nurbs_mesh_surface_levels() as a call that can be watched and ended.
+        !> nurbs_mesh_surface_levels() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_surface_levels_with(g, count, chords, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -4908,7 +4853,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_surface_levels_with
-        !> Meshes of a trimmed face for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_face().
+        !> Meshes of a trimmed face for several distances, as nurbs_mesh_surface_levels().
         function nurbs_mesh_face_levels(face, count, chords, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4918,8 +4863,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_face_levels
-        !> nurbs_mesh_face_levels() as a call that can be watched and ended; the limit of work is as for
-        !> nurbs_mesh_surface_levels_with().
+        !> nurbs_mesh_face_levels() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_face_levels_with(face, count, chords, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4930,8 +4874,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_face_levels_with
-        !> Meshes of all faces of a model for several distances: nurbs_mesh_surface_levels() of
-        !> nurbs_mesh_model().
+        !> Meshes of all faces of a model for several distances, as nurbs_mesh_surface_levels().
         function nurbs_mesh_model_levels(model, count, chords, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4941,8 +4884,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_model_levels
-        !> nurbs_mesh_model_levels() as a call that can be watched and ended; the limit of work is as for
-        !> nurbs_mesh_surface_levels_with().
+        !> nurbs_mesh_model_levels() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_model_levels_with(model, count, chords, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -4953,7 +4895,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_model_levels_with
-        !> Hexahedra in place of a volume in space, on a grid of lines along its axes.
+        !> A mesh of hexahedra of a volume in space, on a grid of lines along its axes.
         function nurbs_mesh_volume(g, options, limit, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -4962,7 +4904,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_mesh_volume
-        !> nurbs_mesh_volume() as a call that can be watched and ended.
+        !> nurbs_mesh_volume() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_volume_with(g, options, limit, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -4984,7 +4926,7 @@ module nurbs_c
             import
             type(c_ptr), value :: mesh
         end subroutine nurbs_mesh_destroy
-        !> How much a mesh holds.
+        !> The numbers of points, vertices, triangles, faces and edges of a mesh.
         function nurbs_mesh_counts(mesh, points, vertices, triangles, faces, edges, edge_points) bind(c) &
                 result(r)
             import
@@ -4993,7 +4935,7 @@ module nurbs_c
                 edge_points
             integer(c_int32_t) :: r
         end function nurbs_mesh_counts
-        !> How far a mesh and its shape are from each other: the most of all faces.
+        !> How far a mesh and its shape are from each other: the largest distances of all faces.
         function nurbs_mesh_bound(mesh, from_shape, from_mesh, reached) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5010,7 +4952,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_mesh_points
-        !> nurbs_mesh_points() in single precision, each number rounded once to the nearest float.
+        !> nurbs_mesh_points() in single precision.
         function nurbs_mesh_points_f32(mesh, cap, points, count) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5019,7 +4961,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_mesh_points_f32
-        !> The vertices of a mesh, those of each face one after the other.
+        !> The vertices of a mesh, face by face.
         function nurbs_mesh_vertices(mesh, cap, own_points, params, normals, count) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5028,8 +4970,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: params(*), normals(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_vertices
-        !> The vertices of a mesh as programs that draw want them, in single precision: with their points in
-        !> place of numbers of points.
+        !> The vertices of a mesh in single precision, with their points instead of indices, as for drawing.
         function nurbs_mesh_vertices_f32(mesh, cap, points, params, normals, count) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5038,7 +4979,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_mesh_vertices_f32
-        !> The triangles of a mesh, those of each face one after the other.
+        !> The triangles of a mesh, face by face.
         function nurbs_mesh_triangles(mesh, flags, cap, corners, count) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5047,7 +4988,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: corners(*), count
             integer(c_int32_t) :: r
         end function nurbs_mesh_triangles
-        !> nurbs_mesh_triangles() in 32 bits.
+        !> nurbs_mesh_triangles() with indices of 32 bits.
         function nurbs_mesh_triangles_i32(mesh, flags, cap, corners, count) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5057,8 +4998,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_mesh_triangles_i32
-        !> The quads of a mesh: pairs of triangles that are all of a cell of the domain, which has no vertex
-        !> of another cell on its sides.
+        !> The quads of a mesh: cells of the domain that are divided into exactly two triangles.
         function nurbs_mesh_quads(mesh, flags, cap, corners, own_triangles, count) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5067,7 +5007,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: corners(*), own_triangles(*), count
             integer(c_int32_t) :: r
         end function nurbs_mesh_quads
-        !> What of a mesh stands for which face.
+        !> Which vertices and triangles of a mesh belong to which face, and how near these are.
         function nurbs_mesh_faces(mesh, cap, first_vertices, vertex_counts, first_triangles, &
                 triangle_counts, from_shape, from_mesh, reaches, count) bind(c) result(r)
             import
@@ -5090,8 +5030,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: reaches(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_edges
-        !> The vertices of the polylines that stand for edges in a mesh: each from the start of its edge to
-        !> the end.
+        !> The vertices of the polylines for edges in a mesh, each from the start of its edge to the end.
         function nurbs_mesh_edge_points(mesh, cap, own_points, count) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5109,8 +5048,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: folds(*), signs(*)
             integer(c_int32_t) :: r
         end function nurbs_mesh_hexahedra
-        !> A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that
-        !> neighbours have in common.
+        !> A spline as Bezier cells, exactly: its polynomial (rational) pieces, which share control points.
         function nurbs_bezier_cells(g, cap, own_points, kind, points, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -5119,8 +5057,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: kind
             integer(c_int32_t) :: r
         end function nurbs_bezier_cells
-        !> The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit
-        !> for bit, each once; those of a seam as the first cell has them.
+        !> The control points of nurbs_bezier_cells(), last axis fastest.
         function nurbs_bezier_cell_points(g, cap, points, weights, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -5137,7 +5074,7 @@ module nurbs_c
             integer(c_int64_t), value :: struct_size
             integer(c_int32_t) :: r
         end function nurbs_write_options_init
-        !> A model as the contents of a file.
+        !> The contents of a file that holds a model.
         function nurbs_model_write(model, format, options, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: model, bytes
@@ -5147,7 +5084,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_model_write
-        !> nurbs_model_write() as a call that can be watched and ended.
+        !> nurbs_model_write() with progress reports, cancellation and a limit of work.
         function nurbs_model_write_with(model, format, options, cap, bytes, length, call) bind(c) result(r)
             import
             type(c_ptr), value :: model, bytes
@@ -5167,7 +5104,7 @@ module nurbs_c
             type(nurbs_write_options), intent(in), optional :: options
             integer(c_int32_t) :: r
         end function nurbs_model_write_file
-        !> nurbs_model_write_file() as a call that can be watched and ended.
+        !> nurbs_model_write_file() with progress reports, cancellation and a limit of work.
         function nurbs_model_write_file_with(model, path, format, options, call) bind(c) result(r)
             import
             type(c_ptr), value :: model
@@ -5177,8 +5114,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_model_write_file_with
-        !> The curves and surfaces of a list as the contents of a file: as nurbs_model_write() writes those
-        !> that belong to no face, with their names.
+        !> The contents of a file that holds the curves and surfaces of a list.
         function nurbs_list_write(list, format, options, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: list, bytes
@@ -5188,7 +5124,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_list_write
-        !> nurbs_list_write() as a call that can be watched and ended.
+        !> nurbs_list_write() with progress reports, cancellation and a limit of work.
         function nurbs_list_write_with(list, format, options, cap, bytes, length, call) bind(c) result(r)
             import
             type(c_ptr), value :: list, bytes
@@ -5208,7 +5144,7 @@ module nurbs_c
             type(nurbs_write_options), intent(in), optional :: options
             integer(c_int32_t) :: r
         end function nurbs_list_write_file
-        !> nurbs_list_write_file() as a call that can be watched and ended.
+        !> nurbs_list_write_file() with progress reports, cancellation and a limit of work.
         function nurbs_list_write_file_with(list, path, format, options, call) bind(c) result(r)
             import
             type(c_ptr), value :: list
@@ -5218,7 +5154,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_list_write_file_with
-        !> A mesh as the contents of a file: its triangles with what the model says of them.
+        !> The contents of a file that holds a mesh: its triangles, with what the model says about them.
         function nurbs_mesh_write(mesh, format, options, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: mesh, bytes
@@ -5228,7 +5164,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_mesh_write
-        !> nurbs_mesh_write() as a call that can be watched and ended.
+        !> nurbs_mesh_write() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_write_with(mesh, format, options, cap, bytes, length, call) bind(c) result(r)
             import
             type(c_ptr), value :: mesh, bytes
@@ -5239,8 +5175,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_mesh_write_with
-        !> Writes a mesh to a file, as nurbs_model_write_file() does, block by block: at no time is all of the
-        !> file in memory.
+        !> Writes a mesh to a file, as nurbs_model_write_file() does.
         function nurbs_mesh_write_file(mesh, path, format, options) bind(c) result(r)
             import
             type(c_ptr), value :: mesh
@@ -5249,7 +5184,7 @@ module nurbs_c
             type(nurbs_write_options), intent(in), optional :: options
             integer(c_int32_t) :: r
         end function nurbs_mesh_write_file
-        !> nurbs_mesh_write_file() as a call that can be watched and ended.
+        !> nurbs_mesh_write_file() with progress reports, cancellation and a limit of work.
         function nurbs_mesh_write_file_with(mesh, path, format, options, call) bind(c) result(r)
             import
             type(c_ptr), value :: mesh

@@ -419,54 +419,55 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_FOLD_UNDECIDED = 2  ! neither
 
     ! --- Kinds of hits
-    ! from one side to the other, or an end that is reached
+    ! passes from one side to the other, or has an end there
     integer(c_int32_t), parameter :: NURBS_HIT_CROSSING = 1
     ! a touch, as far as rounding and the tolerance can tell
     integer(c_int32_t), parameter :: NURBS_HIT_TANGENT = 2
     ! within the tolerance, but proven apart: the nearest place
     integer(c_int32_t), parameter :: NURBS_HIT_CONTACT = 3
-    ! within the tolerance in all of the range, a span or more
+    ! within the tolerance in the whole range, which is a span or more
     integer(c_int32_t), parameter :: NURBS_HIT_OVERLAP = 4
-    ! from one side to the other where the curve jumps, and meets nothing
+    ! changes sides where the curve jumps, without meeting anything
     integer(c_int32_t), parameter :: NURBS_HIT_JUMP = 5
-    integer(c_int32_t), parameter :: NURBS_HIT_UNDECIDED = 6  ! a range in which it is left open what there is
+    ! a range in which it is not decided what there is
+    integer(c_int32_t), parameter :: NURBS_HIT_UNDECIDED = 6
 
     ! --- Status of a ray
-    ! the ray meets the surface there, if rounding is allowed for
+    ! the ray meets the surface there, to rounding
     integer(c_int32_t), parameter :: NURBS_RAY_HIT = int(z'01', c_int32_t)
     ! nothing is nearer; without NURBS_RAY_HIT: it meets nothing
     integer(c_int32_t), parameter :: NURBS_RAY_CERTIFIED = int(z'02', c_int32_t)
-    ! it touches the surface there, as far as rounding can tell, or passes it
+    ! it touches the surface there or just misses it: rounding cannot tell
     integer(c_int32_t), parameter :: NURBS_RAY_TOUCH = int(z'04', c_int32_t)
-    ! it comes from behind: from the side to which S_u x S_v does not point
+    ! it arrives from behind: from the side to which S_u x S_v does not point
     integer(c_int32_t), parameter :: NURBS_RAY_BACK = int(z'08', c_int32_t)
 
     ! --- Kinds of nodes of a nurbs_meet
     integer(c_int32_t), parameter :: NURBS_NODE_BORDER = 1  ! the surface ends or jumps there
-    ! it closes there on an axis that is not periodic: the branch goes on beyond
+    ! it closes there on a non-periodic axis: the branch continues beyond
     integer(c_int32_t), parameter :: NURBS_NODE_SEAM = 2
-    ! a part within the tolerance in which branches are not told apart
+    ! a part within the tolerance in which branches are not separated
     integer(c_int32_t), parameter :: NURBS_NODE_TOUCH = 3
-    integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4  ! a part in which it is left open what there is
-    ! an edge, a corner or a pole of faces of a model, where another branch goes on
+    ! a part in which it is not decided what there is
+    integer(c_int32_t), parameter :: NURBS_NODE_UNDECIDED = 4
+    ! an edge, a corner or a pole of faces of a model, where another branch continues
     integer(c_int32_t), parameter :: NURBS_NODE_EDGE = 5
-    ! the surface folds as seen along the direction of a projection, or feet do: another sheet goes on
+    ! the surface folds, seen along the direction of a projection, or feet do: another sheet continues
     integer(c_int32_t), parameter :: NURBS_NODE_FOLD = 6
     ! a region in which two surfaces are within the tolerance of each other; no branch ends there
     integer(c_int32_t), parameter :: NURBS_NODE_OVERLAP = 7
 
     ! --- Kinds of contours
-    ! f = N . d: what is seen as an outline along d
-    integer(c_int32_t), parameter :: NURBS_CONTOUR_SILHOUETTE = 1
-    ! f = N . (S - d): the outline that is seen from the point d
+    integer(c_int32_t), parameter :: NURBS_CONTOUR_SILHOUETTE = 1  ! f = N . d: the outline seen along d
+    ! f = N . (S - d): the outline seen from the point d
     integer(c_int32_t), parameter :: NURBS_CONTOUR_PERSPECTIVE = 2
-    ! (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle
+    ! (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: normals at one angle to d
     integer(c_int32_t), parameter :: NURBS_CONTOUR_ISOPHOTE = 3
-    ! f = K, the Gaussian curvature, but for a positive factor
+    ! f = K, the Gaussian curvature, up to a positive factor
     integer(c_int32_t), parameter :: NURBS_CONTOUR_PARABOLIC = 4
 
     ! --- Kinds of reflection lines
-    ! f = N . m: the normal's line meets the line of light
+    ! f = N . m: the line along the normal meets the line of light
     integer(c_int32_t), parameter :: NURBS_REFLECTION_HIGHLIGHT = 1
     ! f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it
     integer(c_int32_t), parameter :: NURBS_REFLECTION_ALONG = 2
@@ -474,14 +475,14 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_REFLECTION_FROM = 3
 
     ! --- Kinds of branches
-    ! what surfaces, or a surface and a plane, have in common
+    ! a curve that surfaces, or a surface and a plane, have in common
     integer(c_int32_t), parameter :: NURBS_BRANCH_CROSSING = 1
     integer(c_int32_t), parameter :: NURBS_BRANCH_EDGE = 2  ! an edge that two faces share
-    ! one at which both faces have the same tangent planes, somewhere at least
+    ! an edge that two faces share, with the same tangent planes somewhere at least
     integer(c_int32_t), parameter :: NURBS_BRANCH_CONTACT = 3
-    ! a curve along which surfaces have the same tangent planes: they touch
+    ! a curve along which surfaces touch: they have the same tangent planes
     integer(c_int32_t), parameter :: NURBS_BRANCH_TOUCH = 4
-    ! a part of the boundary of a region in which surfaces are one
+    ! a part of the boundary of a region in which surfaces coincide
     integer(c_int32_t), parameter :: NURBS_BRANCH_OVERLAP = 5
 
     ! --- Kinds of constraints
@@ -510,15 +511,15 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_BYTES_MODEL = 5  ! a model: nurbs_model_from_bytes()
 
     ! --- Sides of a model
-    integer(c_int32_t), parameter :: NURBS_SIDE_INSIDE = 1  ! of a solid, for certain
+    integer(c_int32_t), parameter :: NURBS_SIDE_INSIDE = 1  ! inside a solid, for certain
     integer(c_int32_t), parameter :: NURBS_SIDE_ON = 0  ! no farther from a face than the tolerance
-    integer(c_int32_t), parameter :: NURBS_SIDE_OUTSIDE = -1  ! of all solids, for certain
+    integer(c_int32_t), parameter :: NURBS_SIDE_OUTSIDE = -1  ! outside all solids, for certain
     integer(c_int32_t), parameter :: NURBS_SIDE_UNDECIDED = 2  ! not known
 
     ! --- What is inside of closed curves
-    integer(c_int32_t), parameter :: NURBS_FILL_NON_ZERO = 1  ! a number other than 0
-    integer(c_int32_t), parameter :: NURBS_FILL_EVEN_ODD = 2  ! an odd number
-    integer(c_int32_t), parameter :: NURBS_FILL_POSITIVE = 3  ! a number above 0
+    integer(c_int32_t), parameter :: NURBS_FILL_NON_ZERO = 1  ! a winding number other than 0
+    integer(c_int32_t), parameter :: NURBS_FILL_EVEN_ODD = 2  ! an odd winding number
+    integer(c_int32_t), parameter :: NURBS_FILL_POSITIVE = 3  ! a winding number above 0
 
     ! --- What is made of two regions
     integer(c_int32_t), parameter :: NURBS_REGION_UNION = 1  ! what is in a or in b
@@ -528,11 +529,11 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_REGION_EITHER = 4
 
     ! --- Which side of a surface is kept
-    integer(c_int32_t), parameter :: NURBS_TRIM_FRONT = 1  ! to which its normals N = S_u x S_v point
-    integer(c_int32_t), parameter :: NURBS_TRIM_BACK = -1  ! the other one
+    integer(c_int32_t), parameter :: NURBS_TRIM_FRONT = 1  ! the side to which its normals N = S_u x S_v point
+    integer(c_int32_t), parameter :: NURBS_TRIM_BACK = -1  ! the other side
 
     ! --- Flags of meshes
-    ! nurbs_mesh_triangles() and its kind: corners are points, not vertices.
+    ! nurbs_mesh_triangles() and similar functions: corners are points, not vertices.
     integer(c_int32_t), parameter :: NURBS_MESH_WELDED = int(z'01000000', c_int32_t)
 
     ! --- Formats of files
@@ -542,8 +543,8 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_FORMAT_STL = 3  ! Triangles: binary STL
     integer(c_int32_t), parameter :: NURBS_FORMAT_STL_TEXT = 4  ! Triangles: STL as text
     integer(c_int32_t), parameter :: NURBS_FORMAT_OBJ = 5  ! Triangles: Wavefront OBJ
-    integer(c_int32_t), parameter :: NURBS_FORMAT_PLY = 6  ! Triangles: PLY, binary, lowest byte first
+    integer(c_int32_t), parameter :: NURBS_FORMAT_PLY = 6  ! Triangles: PLY, binary, little-endian
     integer(c_int32_t), parameter :: NURBS_FORMAT_GLB = 7  ! Triangles: glTF 2.0 in one binary file
-    ! Triangles: an unstructured grid of VTK in XML, with raw arrays behind it
+    ! Triangles: an unstructured grid of VTK in XML, with raw arrays appended
     integer(c_int32_t), parameter :: NURBS_FORMAT_VTU = 8
 end module nurbs_constants

@@ -13,6 +13,7 @@ namespace nrb::intersect {
 
 namespace {
 
+// Merges duplicates and adjoining open parts, and moves the results into the domain.
 class Gathering {
 public:
     Gathering(const std::array<const Spline *, 3> &surfaces, const std::array<SurfaceBorders, 3> &borders,
@@ -28,8 +29,8 @@ public:
     }
 
 private:
-    // What is on knots and middles is found in the parts on both of their sides: where it is beside them by as little as boxes of
-    // parts are larger, too.
+    // Drops duplicates. A point on a knot line, or on a line at which parts were halved, is found in the
+    // parts on both sides; and so is a point beside such a line by no more than the boxes of parts overlap.
     void add_points() {
         std::vector<CommonPoint> points;
         std::ranges::copy_if(found_, std::back_inserter(points),
@@ -71,7 +72,7 @@ private:
         return surfaces_[i / 2]->axis(static_cast<int>(i % 2)).domain();
     }
 
-    // Those that touch on the first surface are one.
+    // Open parts that touch each other on the first surface are merged.
     void add_open() {
         std::vector<CommonPoint> open;
         std::vector<ParameterRanges> ranges;
@@ -95,7 +96,7 @@ private:
         const SurfaceBorders &borders = borders_[i / 2];
         return borders.wraps(i % 2) ? borders.period(i % 2) : 0;
     }
-    // Across seams, if that is shorter.
+    // Extends `all` over `own`, across seams if that is shorter.
     void enclose(const CommonPoint &own, CommonPoint &all) const noexcept {
         for (size_t i = 0; i < 6; ++i) {
             Interval least{-infinity, infinity};
@@ -107,7 +108,7 @@ private:
             all.range[i] = least;
         }
     }
-    // What is on both sides of a seam begins in the domain.
+    // Ranges on both sides of a seam are moved so that they begin in the domain.
     void set_middle(CommonPoint &open) const {
         for (size_t i = 0; i < 6; ++i) {
             const Interval domain = domain_of(i);

@@ -9,15 +9,15 @@
 
 namespace nrb::intersect {
 
-// Parameters u, v of each of the three, one after the other.
+// `at` and `range`: parameters u, v on each of the three surfaces in turn.
 struct CommonPoint {
     std::array<double, 6> at{};
     std::array<Interval, 6> range{};
     std::array<double, 3> point{};
-    HitKind kind = HitKind::crossing; // or undecided, about the middle of what is left open
+    HitKind kind = HitKind::crossing; // undecided: `at` is about the middle of a range left open
 };
 
-// By rising parameters of the first one. There are no others outside of the ranges.
+// In ascending order of the parameters on the first surface. The ranges hold all common points.
 struct CommonPoints {
     std::vector<CommonPoint> list;
     [[nodiscard]] bool complete() const noexcept {
@@ -25,7 +25,8 @@ struct CommonPoints {
     }
 };
 
-// tolerance: the size in space of parts that need not be told apart, >= 0. Precondition: surfaces in space.
+// tolerance >= 0: the size in space below which parts need not be distinguished. Precondition: surfaces in
+// space.
 CommonPoints common_points(const std::array<const Spline *, 3> &surfaces, double tolerance);
 
 } // namespace nrb::intersect

@@ -11,7 +11,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr double most_rho = 0.75;
-// Of the places that a chart has to tell apart.
+// The rounding of local parameters must be smaller than this, or a chart could not distinguish places.
 constexpr double least_digits = 0x1p-5;
 
 double largest_of(double lower, double upper) noexcept {
@@ -25,7 +25,7 @@ void set_column(Matrix<6> &matrix, size_t k, const Vector3 &of_b, const Vector3 
     }
 }
 
-// F' from the derivatives of the three.
+// F' from the partial derivatives of the three surfaces.
 Matrix<6> derivative_of(const std::array<std::array<Vector3, 2>, 3> &slopes) noexcept {
     Matrix<6> matrix{};
     for (size_t k = 0; k < 2; ++k) {
@@ -36,7 +36,7 @@ Matrix<6> derivative_of(const std::array<std::array<Vector3, 2>, 3> &slopes) noe
     return matrix;
 }
 
-// Of the three surfaces at places in their parts.
+// Points and partial derivatives of the three surfaces at places in their parts.
 struct TripleValue {
     std::array<Vector3, 3> points{};
     std::array<std::array<Vector3, 2>, 3> slopes{};
@@ -99,7 +99,7 @@ TripleChart::Verdict TripleChart::set(const TripleParts &parts) {
     return Verdict::chart;
 }
 
-// The sum of row i of |I - M F'|; false: row i of M F is nowhere 0.
+// Adds up row i of |I - M F'|; false: row i of M F is nowhere 0.
 bool TripleChart::set_row(size_t i, double &sum) {
     const auto &[b, c] = rows_[i];
     const std::array<Vector3, 3> factors{b + c, -1 * b, -1 * c};

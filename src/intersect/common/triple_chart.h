@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of three surfaces that have one point in common at most.
+// A Krawczyk test for parts of three surfaces that have at most one common point.
 #pragma once
 
 #include "intersect/contraction.h"
@@ -8,32 +8,34 @@
 
 namespace nrb::intersect {
 
-// In the parts, u and v of each of the three.
+// Local parameters in the parts: u and v of each of the three.
 using TriplePlace = Place<6>;
 using TripleParts = std::array<CrossCell *, 3>;
 
-// F = (A - B, A - C), six equations in six unknowns, each of them a sum of terms in two. M is the inverse of its derivative in
-// the middle. Row i of M is a pair of vectors (r, s), and that of M F is (r + s) . A - r . B - s . C: what bounds it, and its
-// derivatives over the wide parts, are products of control points and vectors. If the largest row sum of |I - M F'| is below 1,
-// there is one common point at most in the wide parts (Contraction).
+// F = (A - B, A - C) is a system of six equations in six unknowns, whose terms depend on two unknowns each. M
+// is the inverse of F' in the middle. Row i of M is a pair of vectors (b, c), and row i of M F is
+//     (b + c) . A - b . B - c . C
+// The extents of control points and derivatives along these three vectors bound the row and its derivatives
+// over the wide parts. If the largest row sum of |I - M F'| is below 1, the wide parts have at most one
+// common point (Contraction).
 class TripleChart {
 public:
     enum class Verdict {
         apart, // a row of M F is nowhere 0
         chart,
-        bent, // neither
-        flat, // M does not exist
+        bent, // neither is proven
+        flat, // F' is nearly singular in the middle: M does not exist
     };
-    // Precondition: all are prepared.
+    // Precondition: all parts are prepared (CrossCell::prepare()).
     Verdict set(const TripleParts &parts);
 
-    // Of a chart: near its common point, and where that is if there is one.
+    // Of a chart: an approximation of its common point, and a range that contains it if it exists.
     struct Found {
         TriplePlace at{};
         Box<6> range{};
     };
     [[nodiscard]] Found solution() const;
-    // Which of the parts bends most.
+    // The index of the part whose derivatives vary most.
     [[nodiscard]] size_t most_bent() const noexcept;
 
 private:

@@ -13,10 +13,11 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
-// Triples of one size that are halved: at least, and as multiples of the triples of pieces.
+// Limits on the triples of the next generation: the larger one of a number, and of a multiple of the triples
+// of pieces.
 constexpr size_t most_parts = 1 << 10, times_as_many = 16;
 
-// Whether boxes have a common part, each of them a little larger.
+// Whether three boxes intersect, if gaps of up to `room` are closed.
 template <class Lower, class Upper>
 bool have_common_box(double room, Lower &&lower, Upper &&upper) {
     for (size_t c = 0; c < 3; ++c) {
@@ -29,7 +30,7 @@ bool have_common_box(double room, Lower &&lower, Upper &&upper) {
     return true;
 }
 
-// The parameter at a place in a piece.
+// The parameter at a local parameter of a piece.
 double parameter_at(const Interval &range, double place) noexcept {
     const double at = range.lower * (1 - place) + range.upper * place;
     return place == 1 ? range.upper : std::clamp(at, range.lower, range.upper);
@@ -89,7 +90,7 @@ void TripleSearch::look_at(const Cells &cells) {
     }
 }
 
-// Groups go before pieces.
+// Groups of pieces are divided before pieces, and larger cells before smaller ones.
 void TripleSearch::divide(const Cells &cells) {
     const auto rank = [](const PairCell *cell) {
         return is_positive(*cell) ? -1 : cell->piece ? cell->size : cell->size + 1e3;
@@ -137,7 +138,8 @@ void TripleSearch::look(const TripleParts &parts) {
     }
 }
 
-// The range of the only zero is far inside of what the chart is proven for.
+// A common point counts if its range is small and well inside of the wide parts, for which the chart is
+// proven.
 void TripleSearch::look_at_chart(const TripleParts &parts) {
     const TripleChart::Found found = chart_.solution();
     if (outside(found.range)) {
@@ -178,11 +180,11 @@ void TripleSearch::add_open(const TripleParts &parts) {
         const double lower = part.lower(i % 2);
         const double from = parameter_at(range, lower), to = parameter_at(range, lower + part.length(i % 2));
         open.range[i] = {std::min(from, to),
-                         std::max(from, to)}; // ranges of a few numbers are rounded either way
+                         std::max(from, to)}; // ranges of a few ulps may round into the wrong order
     }
 }
 
-// Of groups of pieces all of the surface.
+// A group of pieces stands for the whole surface.
 void TripleSearch::add_unknown(const Cells &cells) {
     count_work(work_of_a_kept_part);
     CommonPoint &open = found_.emplace_back();

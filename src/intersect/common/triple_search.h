@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the parts of three surfaces that have points in common, and these in them.
+// A subdivision search for the common points of three surfaces.
 #pragma once
 
 #include "intersect/common/common_points.h"
@@ -11,14 +11,14 @@
 
 namespace nrb::intersect {
 
-// Triples of pieces whose boxes have a common part, then triples of their parts, all of one size before smaller ones: a triple is
-// excluded, has a chart, or one of its parts is halved. What grows without end, as where the three have a curve in common, is
-// left open.
+// First triples of pieces whose boxes intersect, then triples of their parts, breadth first. A triple is
+// excluded, has a chart, or one of its parts is halved. Where the number of triples grows without end, as
+// along a common curve of all three surfaces, they are left open.
 class TripleSearch {
 public:
     TripleSearch(const std::array<const Spline *, 3> &surfaces, const std::array<SurfaceBorders, 3> &borders);
 
-    // Each point once for each triple of pieces that it is in.
+    // Every point occurs once for each triple of pieces that contains it.
     std::vector<CommonPoint> run(double tolerance);
 
 private:

@@ -14,14 +14,14 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double most_sine = 0.05; // between a curve and a surface that run beside each other
+constexpr double most_sine = 0.05; // between a curve and a surface that run side by side
 
 Vector3 vector_at(const double *x) noexcept {
     return {x[0], x[1], x[2]};
 }
 
-// The piece over a larger part of its axes. Means of both ends with one of them negative make errors grow, and weights may
-// shrink.
+// The piece over a larger part of its axes. In extrapolation one of the factors of each mean is negative, so
+// that errors grow, and weights may shrink.
 pieces::BezierPiece extended(const pieces::BezierPiece &piece, const Box<2> &part) {
     std::vector<double> values(piece.record(0), piece.record(piece.coefficients())), other(values.size());
     const auto width = static_cast<size_t>(piece.shape().width);
@@ -55,10 +55,10 @@ pieces::BezierPiece extended(const pieces::BezierPiece &piece, const Box<2> &par
     return {2, piece.shape(), std::move(values), {}, rounding};
 }
 
-// As the means of the derivatives tell.
+// Estimates from the mean derivatives.
 struct Run {
-    double length; // about how far p goes
-    double sine;   // between the axes of S
+    double length; // about how far p runs on S, in local parameters
+    double sine;   // of the angle between the axes of S
 };
 Run run_of(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept {
     const double *c = arc.slopes->mean(), *u = patch.mean(0), *v = patch.mean(1);
@@ -68,7 +68,7 @@ Run run_of(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept {
             std::sqrt(std::max(determinant, 0.0) / (uu * vv))};
 }
 
-// The largest |vector . slope| there may be.
+// The largest possible |vector . slope|.
 double steepest(const pieces::Slopes &slopes, const double *vector) noexcept {
     const Interval range = slopes.along(vector);
     return std::max(std::abs(range.lower), std::abs(range.upper));
@@ -76,14 +76,14 @@ double steepest(const pieces::Slopes &slopes, const double *vector) noexcept {
 
 } // namespace
 
-// Whether C runs about as S does in the middle.
+// Whether C is nearly parallel to the tangent plane in the middle of S.
 bool Alongside::is_level(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept {
     const Vector3 normal = cross(vector_at(patch.mean(0)), vector_at(patch.mean(1))),
                   c = vector_at(arc.slopes->mean());
     return std::abs(dot(normal, c)) <= most_sine * length(normal) * length(c) && length(normal) > 0;
 }
 
-// The chart over [0, 1]^2 and p; false if there is none.
+// Sets the chart over a box around [0, 1]^2 and p; false if there is none.
 bool Alongside::set_region(const SlopedPatch &patch) {
     bool beyond = false;
     for (size_t k = 0; k < 2; ++k) {
@@ -109,8 +109,8 @@ bool Alongside::set_region(const SlopedPatch &patch) {
     return chart_.proven();
 }
 
-// If something is near at t, M C(t) - M S(x) is no more than `near` makes it, and so M S(p) - M S(x) no more than that and M
-// times the difference at p.
+// Let S(x) be near C(t). Then |M C(t) - M S(x)| is at most what `near` allows, and |M S(p) - M S(x)| at most
+// that plus M times the difference at p. By the contraction this bounds |p - x|.
 void Alongside::measure(double rounding, double near) {
     const Vector3 normal = unit(cross(vector_at(over_region_.mean(0)), vector_at(over_region_.mean(1))));
     normal_ = {normal.x, normal.y, normal.z};
@@ -124,7 +124,7 @@ void Alongside::measure(double rounding, double near) {
     }
     largest_ += rounding;
     const auto &[rho, norm_of_m] = chart_.contraction();
-    constexpr double little = 1e-6; // what as little beyond a piece makes of rho
+    constexpr double little = 1e-6; // effect on rho where the region exceeds the piece by rounding
     off_ = 1.001 * (tangential_ + norm_of_m * (near + rounding)) / (1 - rho - little) + 64 * eps;
     for (size_t k = 0; k < 2; ++k) {
         rooms_[k] = off_ * (region_[k].upper - region_[k].lower);
@@ -182,7 +182,8 @@ Alongside::Verdict Alongside::cut() {
     return core_.lower < core_.upper ? Verdict::along : Verdict::ends;
 }
 
-// Where p leaves S, if it goes one way there; what leaves it by no more than rooms_ does not.
+// Where p leaves S, if it crosses the line in one direction. Going beyond the line by no more than rooms_ is
+// not leaving.
 Alongside::Verdict Alongside::cut_at(int line) {
     const int axis = line / 2;
     std::vector<double> inside = feet_.coefficients(axis);
@@ -209,7 +210,7 @@ Alongside::Verdict Alongside::cut_at(int line) {
     return Verdict::along;
 }
 
-// If p begins or ends just there, and does not run along the line.
+// Sets the line at an end of the core, if p begins or ends on it and does not run along it.
 void Alongside::set_line_at_ends(const std::vector<double> &inside, double room, int line) noexcept {
     constexpr double much = 16;
     if (*std::ranges::max_element(inside) <= much * room) {
@@ -233,7 +234,7 @@ void Alongside::cut_monotone(const std::vector<double> &inside, double room, int
         nrb::evaluate(degree, 1, at, values.data());
         return values.front();
     };
-    // Where it is `level`, from the side where it is less; an end where it is more or less all along.
+    // Where the value is `level`, from the side where it is less; an end if it is more, or less, everywhere.
     const auto place = [&](double level) {
         double less = rises ? 0 : 1, more = 1 - less;
         if ((rises ? inside.front() : inside.back()) >= level) {
@@ -242,7 +243,7 @@ void Alongside::cut_monotone(const std::vector<double> &inside, double room, int
         if ((rises ? inside.back() : inside.front()) <= level) {
             return more;
         }
-        // False position, with the value that stays halved (the Illinois rule).
+        // False position with the Illinois rule: the value at the end that stays is halved.
         double below = value(less) - level, above = value(more) - level;
         for (int i = 0, last = 0; i < most_steps && std::abs(more - less) > 2 * eps; ++i) {
             const double at = less + (more - less) * below / (below - above), here = value(at) - level;

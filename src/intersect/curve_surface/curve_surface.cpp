@@ -23,6 +23,7 @@ namespace {
 using Kind = MeetCell::Kind;
 using Cells = std::vector<MeetCell>;
 
+// Finds the hits of a curve and a surface.
 class SurfaceMeeting {
 public:
     SurfaceMeeting(const Spline &curve, const Spline &surface, double tolerance)
@@ -47,7 +48,8 @@ public:
     }
 
 private:
-    // Which are hits of their own: those whose parts of the curve hang together. They overlap each other.
+    // Reports the unknown cells as hits of their own and returns the others. Unknown cells overlap each
+    // other, so those that adjoin along the curve are merged into one hit.
     Cells without_unknown(Cells cells) {
         std::vector<MeetBox> unknown;
         for (const MeetCell &cell : cells) {
@@ -78,7 +80,7 @@ private:
         result_.complete = false;
     }
 
-    // Parts within the tolerance that hang together: what is no overlap is looked at once more, without the
+    // For connected parts within the tolerance. What is no overlap is searched once more, without the
     // tolerance.
     void add_near(const MeetGroup &group, const Cells &cells) {
         if (group.is_still()) {
@@ -116,7 +118,8 @@ private:
         add(part, part.nearest().gap <= tolerance_ + noise_ ? HitKind::contact : HitKind::undecided);
     }
 
-    // Returns the cells that they and what hangs on them are made of; meets stand for themselves.
+    // Reports the overlaps. Returns which cells they, and what adjoins them, consist of; proven intersections
+    // are reported by themselves.
     std::vector<bool> add_overlaps(const MeetGroup &group) {
         std::vector<bool> taken(group.cells.size(), false);
         std::vector<size_t> front;
@@ -130,7 +133,8 @@ private:
         take_hanging(group, std::move(front), taken);
         return taken;
     }
-    // Cells are in the order of where they begin on the curve.
+    // Takes short cells that are connected to the front. Cells are in the order in which they begin on the
+    // curve.
     void take_hanging(const MeetGroup &group, std::vector<size_t> front, std::vector<bool> &taken) const {
         const std::vector<MeetCell> &cells = group.cells;
         std::vector<size_t> others;
@@ -160,13 +164,13 @@ private:
             others.erase(rest, last);
         }
     }
-    // Short parts at an overlap's ends.
+    // Short parts, which may adjoin an overlap's ends.
     [[nodiscard]] bool hangs(const MeetCell &cell) const {
         return cell.kind == Kind::tiny || cell.kind == Kind::touches ||
                (cell.kind == Kind::along && extent(cell.core[0]) <= 64 * tolerance_);
     }
 
-    // What is as near as rounding can tell. Returns whether there is anything.
+    // Reports what is as near as rounding can tell. Returns whether there is anything.
     bool add_exact(const Cells &given) {
         Cells cells;
         bool any = false;
@@ -209,12 +213,13 @@ private:
             return HitKind::overlap;
         }
         if (is_long) {
-            return HitKind::undecided; // and no overlap
+            return HitKind::undecided; // and not an overlap
         }
         return runs_beside || (inside && !one_turn) ? HitKind::tangent : HitKind::crossing;
     }
 
-    // Whether a control point of both is in a group, at one place, and no more than rounding from its ends.
+    // Whether a control point of both is in a group, at the same point, and the group extends no farther than
+    // rounding.
     [[nodiscard]] bool hold_common_point(const MeetGroup &group, double reach) const {
         return reach <= 512 * noise_ && std::ranges::any_of(group.cells, [this](const MeetCell &cell) {
                    return is_control_point(curve_.axis(0), 0, cell.at[0]) &&
@@ -225,7 +230,7 @@ private:
     [[nodiscard]] bool is_control_point(const KnotVector &axis, size_t k, double t) const {
         return multiplicity(axis.knots(), seams_.in_domain(k, t)) >= axis.degree();
     }
-    // From one side or the other.
+    // Whether some limits of both, from one side or the other, are exactly the same point.
     [[nodiscard]] bool share_point(const MeetPlace &at) const {
         const double params[] = {seams_.in_domain(1, at[1]), seams_.in_domain(2, at[2])};
         for (int sides = 0; sides < 8; ++sides) {
@@ -243,7 +248,7 @@ private:
         return false;
     }
 
-    // How far the curve goes.
+    // How far the curve goes within a part.
     [[nodiscard]] double extent(Interval part) const {
         const std::vector<double> from = eval::curve_point(curve_, seams_.in_domain(0, part.lower), false);
         double most = 0;
@@ -259,7 +264,7 @@ private:
         place(hit, group.box);
         result_.complete = result_.complete && kind != HitKind::undecided;
     }
-    // At a place about the middle on the curve.
+    // At the place of the cell nearest to the middle of the overlap on the curve.
     void add(const MeetGroup &group, const SurfaceOverlap &overlap) {
         const double middle = overlap.box[0].lower / 2 + overlap.box[0].upper / 2;
         const auto apart = [&](size_t i) { return std::abs(group.cells[i].at[0] - middle); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a curve meets a surface.
+// Intersections of a curve and a surface.
 #pragma once
 
 #include "intersect/hits.h"
@@ -9,7 +9,7 @@
 
 namespace nrb::intersect {
 
-// Places and ranges (t, u, v) of both.
+// Parameters (t, u, v) on both, and their ranges.
 struct SurfaceHit {
     std::array<double, 3> at;
     std::array<Interval, 3> range;
@@ -17,14 +17,15 @@ struct SurfaceHit {
 };
 
 struct SurfaceHits {
-    std::vector<SurfaceHit> list; // t rising
+    std::vector<SurfaceHit> list; // ascending in t
     bool complete = true;
 };
 
-// All places where the curve is within the tolerance of the surface. Parts that are as near as that and hang together are
-// overlaps, where the curve is near along a whole span of it, or from a knot or an end of the one or the other to the next;
-// or else what exact arithmetic may have in them: meets proven by charts, touches as far as rounding can tell, and crossings
-// where the curve changes its side; if it can have nothing, they are a contact. Throws Status::dimension, incompatible.
+// All places where the curve is within the tolerance of the surface. Connected parts that are as near as that
+// are overlaps if the curve stays near along a whole span of it, or from a knot or an end of either to the
+// next one. Otherwise they yield what exact arithmetic may find in them: intersections proven by charts,
+// touches as far as rounding can tell, and crossings where the curve changes to the other side. If it can
+// find nothing, they are a contact. Throws Status::dimension, incompatible.
 SurfaceHits curve_surface(const Spline &curve, const Spline &surface, double tolerance);
 
 } // namespace nrb::intersect

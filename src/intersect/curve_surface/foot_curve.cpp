@@ -15,13 +15,13 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_degree = 5;
-constexpr double far_out = 1.25; // how far beyond a piece feet are looked for
+constexpr double far_out = 1.25; // how far beyond a piece foot points are looked for
 
 BernsteinShape shape_of(int degree, int width) noexcept {
     return {{0, 0, degree}, width};
 }
 
-// The places between which polynomials swing least (Chebyshev and Lobatto), the ends first.
+// Interpolation nodes with little oscillation (Chebyshev-Lobatto), the ends first.
 double node(int degree, int i) noexcept {
     static constexpr double nodes[most_degree][most_degree + 1] = {
         {0, 1},
@@ -32,7 +32,7 @@ double node(int degree, int i) noexcept {
     return nodes[degree - 1][i];
 }
 
-// Newton's divided differences, and the polynomial from them by Horner's rule in the Bernstein basis.
+// Newton's divided differences, then Horner's rule for that polynomial in the Bernstein basis.
 std::vector<double> interpolated(int degree, std::vector<double> values) {
     for (int level = 1; level <= degree; ++level) {
         for (int i = degree; i >= level; --i) {
@@ -55,7 +55,7 @@ std::vector<double> interpolated(int degree, std::vector<double> values) {
     return result;
 }
 
-// out = a b, of coefficients times binomials.
+// out = a b, where coefficients include the binomials; a has `width` components.
 void multiply(const std::vector<double> &a, int width, const std::vector<double> &b,
               std::vector<double> &out) {
     const BernsteinShape left = shape_of(static_cast<int>(a.size()) / width - 1, width),
@@ -81,7 +81,7 @@ double weight_ratio(const pieces::BezierPiece &piece) noexcept {
     return most / least;
 }
 
-// The distance of a control point.
+// The largest distance of a control point from the centre.
 double farthest(const pieces::BezierPiece &piece, const std::array<double, 3> &centre) noexcept {
     double most = 0;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
@@ -92,7 +92,7 @@ double farthest(const pieces::BezierPiece &piece, const std::array<double, 3> &c
 
 } // namespace
 
-// Newton's method for the two components of C - S in the tangent plane.
+// Newton's method for the two components of point - S along the mean derivatives of S.
 bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2> &foot) {
     constexpr int most_steps = 12;
     const double *u = patch.mean(0), *v = patch.mean(1);
@@ -111,14 +111,14 @@ bool FootCurve::find_foot(const SlopedPatch &patch, const double *point, Place<2
         }
         const double size = largest(step);
         if (size <= 1e-9 ||
-            size * length <= 16 * eps) { // the next one would be the square of it, or rounding
+            size * length <= 16 * eps) { // the next step would be about its square, or lost in rounding
             return largest(Place<2>{foot[0] - 0.5, foot[1] - 0.5}) <= 0.5 + far_out;
         }
     }
     return false;
 }
 
-// Of the last offset, which is across the mean tangent plane but for rounding.
+// The signed length of the last offset, which is across the mean tangent plane up to rounding.
 double FootCurve::height_of(const SlopedPatch &patch) const noexcept {
     const double *u = patch.mean(0), *v = patch.mean(1);
     const Vector3 offset{offset_[0], offset_[1], offset_[2]};
@@ -174,7 +174,7 @@ Place<2> FootCurve::at(double t) const {
     return place;
 }
 
-// (n choose i) (1 - p)^(n - i) p^i.
+// The Bernstein functions (n choose i) (1 - p)^(n - i) p^i, with coefficients times binomials.
 void FootCurve::set_powers(size_t axis, int degree) {
     std::vector<double> high = places_[axis], low = high;
     const double *factors = binomials(degree_);
@@ -203,7 +203,7 @@ void FootCurve::set_powers(size_t axis, int degree) {
     }
 }
 
-// (S(p) w, w) about the centre, times binomials.
+// (S(p) w, w) about the centre, with coefficients times binomials.
 void FootCurve::compose(const pieces::BezierPiece &patch) {
     const int p = patch.degree(0), q = patch.degree(1);
     set_powers(0, p);
@@ -253,8 +253,9 @@ bool FootCurve::set_differences(const pieces::BezierPiece &arc) {
     return positive;
 }
 
-// Each coefficient is a sum of products, of as many factors as there are powers and of sums of some terms each; their
-// magnitudes add up to `spread` times what they are where no place is outside [0, 1].
+// Each coefficient is a sum of products with a factor for each power, and the factors are sums of some terms.
+// The magnitudes of the products add up to at most `spread` times what they would be with no place outside of
+// [0, 1].
 double FootCurve::compare(const pieces::SlopedPiece &arc, const SlopedPatch &patch) {
     const pieces::BezierPiece &c = *arc.piece, &s = *patch.piece;
     compose(s);

@@ -22,14 +22,14 @@ bool overlap(Interval a, Interval b) noexcept {
     return a.lower <= b.upper && b.lower <= a.upper;
 }
 
-// A cell with the periods by which it is moved.
+// A cell, and the periods by which it is moved.
 struct Member {
     size_t cell;
     PeriodCounts periods;
 };
 
-// A cell that touches another one if it is moved by so many periods, -1 to 1. Small: where all cells are near each other there
-// are as many as pairs of them.
+// A cell that touches another one if it is moved by these periods, -1 to 1. The type is small, because if all
+// cells are near each other there are as many as pairs of cells.
 struct Touch {
     Touch(size_t i, const PeriodCounts &by) noexcept
         : cell(static_cast<uint32_t>(i)), moves{static_cast<int8_t>(by[0]), static_cast<int8_t>(by[1]),
@@ -47,20 +47,21 @@ public:
         : cells_(cells), seams_(seams), of_(cells.size()) {}
 
     std::vector<std::vector<Touch>> run() {
-        for (int turns = 13; turns < 27; ++turns) { // none, and each way across, but not back
+        for (int turns = 13; turns < 27; ++turns) { // no move, and one of every two opposite ones
             look_across({turns / 9 - 1, turns / 3 % 3 - 1, turns % 3 - 1});
         }
         return std::move(of_);
     }
 
 private:
-    // Of a sweep: a cell, or one that may touch it if it is moved.
+    // Of a sweep: a cell that stays, or one that is moved.
     struct Item {
         size_t cell;
         bool moves;
     };
 
-    // Along the axis on which cells are the shortest, beside all of them, and are not moved.
+    // The axis on which cells are shortest in comparison with the extent of all, of those along which nothing
+    // is moved.
     [[nodiscard]] size_t sweep_axis(const PeriodCounts &periods) const noexcept {
         std::array<double, 3> shares{};
         for (size_t k = 0; k < 3; ++k) {
@@ -77,10 +78,10 @@ private:
     void sweep(std::vector<Item> items, const PeriodCounts &periods) {
         const size_t k = sweep_axis(periods);
         const auto box = [&](size_t i) {
-            return periods[k] == 0 ? cells_[i].box[k] : Interval{0, 0}; // all beside each other
+            return periods[k] == 0 ? cells_[i].box[k] : Interval{0, 0}; // all overlap
         };
         std::ranges::stable_sort(items, {}, [&](const Item &item) { return box(item.cell).lower; });
-        std::array<std::vector<size_t>, 2> open; // of those that move, and of those that do not
+        std::array<std::vector<size_t>, 2> open; // those that are moved, and those that stay
         for (const Item &item : items) {
             std::vector<size_t> &others = open[item.moves ? 1 : 0];
             std::erase_if(others, [&](size_t i) { return box(i).upper < box(item.cell).lower; });
@@ -96,7 +97,7 @@ private:
         return upper ? cell.box[k].upper >= seams_.domain(k).upper
                      : cell.box[k].lower <= seams_.domain(k).lower;
     }
-    // The cells from which that many periods lead across seams.
+    // The cells from which such a move leads across seams.
     [[nodiscard]] std::vector<size_t> cells_at(const PeriodCounts &periods) const {
         std::vector<size_t> found;
         for (size_t i = 0; i < cells_.size(); ++i) {
@@ -124,10 +125,10 @@ private:
         sweep(std::move(items), periods);
     }
 
-    // Cell i, moved by periods, after j.
+    // Records that cell i, moved by the periods, touches cell j, if it does.
     void look(size_t j, size_t i, const PeriodCounts &periods) {
         if (periods == PeriodCounts{} && i <= j) {
-            return; // as (i, j), or one cell
+            return; // found as (i, j), or the same cell
         }
         const MeetCell &a = cells_[j], &b = cells_[i];
         for (size_t k = 0; k < 3; ++k) {

@@ -48,7 +48,7 @@ MeetJudge::Verdict MeetJudge::look(const pieces::SlopedPiece &arc, const SlopedP
     return chart_.proven() ? by_chart() : by_tangents();
 }
 
-// If what is near may be all along the pieces, they may as well run beside each other.
+// If near places may extend all along the pieces, by_tangents() is tried first: they may run side by side.
 MeetJudge::Verdict MeetJudge::by_chart() {
     approach();
     if (place_.distance > near_ + slack(near_, noise_)) {
@@ -90,12 +90,12 @@ MeetJudge::Verdict MeetJudge::by_tangents() {
         curve_is_long_ = alongside_.is_long();
         break;
     }
-    constexpr double few = 64; // below that charts lose their proof to rounding
+    constexpr double few = 64; // below that size charts cannot be proven because of rounding
     const bool small = std::max(curve().size(), surface().size()) <= std::max(near_, few * noise_);
     return small ? at_ends(all_places) : Verdict::open;
 }
 
-// Open where it is not as small as what near means.
+// Open if what remains is not small in comparison with the distance that counts as near.
 MeetJudge::Verdict MeetJudge::at_ends(const MeetBox &room) {
     const double length = arc_.slopes->largest() * (room[0].upper - room[0].lower);
     descend_from(room);
@@ -138,12 +138,12 @@ void MeetJudge::descend_from(const MeetBox &room) {
     descend();
 }
 
-// Farther than near, for certain.
+// Whether the distance certainly exceeds `near`.
 bool MeetJudge::is_apart() {
     return place_.distance > near_ && bound_.lower(curve(), surface(), place_, near_) > near_;
 }
 
-// By planes along the mean tangent plane.
+// Whether a plane parallel to the mean tangent plane separates the pieces.
 bool MeetJudge::separated() const noexcept {
     const double *u = patch_.mean(0), *v = patch_.mean(1);
     const Vector3 normal = cross({u[0], u[1], u[2]}, {v[0], v[1], v[2]});
@@ -152,7 +152,7 @@ bool MeetJudge::separated() const noexcept {
     return size > 0 && (separated_by(up, size) || separated_by(down, size));
 }
 
-// By a plane between them: the surface is farther along the normal.
+// Whether a plane separates the pieces, with the surface farther along the normal.
 bool MeetJudge::separated_by(const double *normal, double length) const noexcept {
     const Interval of_curve = extent_along(curve(), normal), of_surface = extent_along(surface(), normal);
     return of_surface.lower - of_curve.upper >
@@ -176,7 +176,7 @@ void MeetJudge::approach() {
         });
     set_place(z);
     place_.distance = norm(difference_.data(), 3);
-    if (place_.distance > noise_ && place_.distance < 16 * near_) { // it is not where they meet
+    if (place_.distance > noise_ && place_.distance < 16 * near_) { // not an intersection
         descend();
     }
 }
@@ -193,7 +193,7 @@ void MeetJudge::descend() {
     std::ranges::transform(place_.from, place_.to, difference_.begin(), std::minus<>());
 }
 
-// With room for what rounds parameters.
+// A box of parameters, enlarged by the rounding of parameters.
 MeetBox MeetJudge::parameters(const MeetBox &places) const noexcept {
     const auto parameter = [&](double t, double u, double v) {
         const pieces::LocalParam on_surface = surface().parameter({u, v});
@@ -224,7 +224,7 @@ MeetCell::Line MeetJudge::line(int number) const noexcept {
 }
 
 void MeetJudge::set_cell(MeetCell::Kind kind, const MeetBox &box) {
-    constexpr double room = 16 * eps; // places are rounded
+    constexpr double room = 16 * eps; // for the rounding of places
     MeetBox wide = box;
     for (Interval &part : wide) {
         part = {part.lower - room, part.upper + room};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a piece of a curve and one of a surface have near each other, if that can be told without halving them.
+// Decides what a curve piece and a surface piece have near each other, if that is possible without halving
+// them.
 #pragma once
 
 #include "closest/pair/pair_bound.h"
@@ -8,24 +9,25 @@
 
 namespace nrb::intersect {
 
-// Near is what is within `near` of each other, and `noise` what rounding leaves open of a distance. Cells may hold
-// what is farther apart by slack(), because bounds from below are no sharper.
+// Places are near if they are within `near` of each other; `noise` is the uncertainty of a distance due to
+// rounding. Cells may hold places that are farther apart, by up to slack(), because lower bounds are no
+// sharper.
 class MeetJudge {
 public:
     enum class Verdict {
-        nothing, // is near
-        cell,    // what is near is in cell()
+        nothing, // nothing is near
+        cell,    // all near places are in cell()
         open,
     };
     Verdict look(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
 
-    // Of pieces that are not halved any more: nothing, or a cell.
+    // For pieces that are not halved any more: nothing, or a cell.
     Verdict look_at_tiny(const pieces::SlopedPiece &arc, const SlopedPatch &patch, double near, double noise);
 
-    // After open: whether the curve is too long beside the surface.
+    // After open: whether the curve is too long in comparison with the surface beside it.
     [[nodiscard]] bool curve_is_long() const noexcept { return curve_is_long_; }
 
-    // After open: whether there is a chart of the middle, and which of both keeps it from being one of all.
+    // After open: whether M exists in the middle, and which of both is more in the way of a proof.
     [[nodiscard]] bool has_chart() const noexcept { return chart_.turn() != 0; }
     [[nodiscard]] bool curve_bends_more() const noexcept { return chart_.curve_bends_more(); }
 
@@ -48,7 +50,7 @@ private:
     [[nodiscard]] MeetPlace place() const noexcept { return {place_.a[0], place_.b[0], place_.b[1]}; }
     void set_place(const MeetPlace &z) noexcept;
     [[nodiscard]] MeetBox parameters(const MeetBox &places) const noexcept;
-    // Of Alongside::line_at().
+    // The line with a number as in Alongside::line_at().
     [[nodiscard]] MeetCell::Line line(int number) const noexcept;
     void set_cell(MeetCell::Kind kind, const MeetBox &box);
     [[nodiscard]] const pieces::BezierPiece &curve() const noexcept { return *arc_.piece; }
@@ -59,7 +61,7 @@ private:
     double near_ = 0, noise_ = 0;
     bool curve_is_long_ = false;
     MeetCell cell_{};
-    closest::PairPlace place_; // the nearest that was found
+    closest::PairPlace place_; // the nearest places found
     std::array<double, 3> difference_{};
     SpaceChart chart_;
     Alongside alongside_;

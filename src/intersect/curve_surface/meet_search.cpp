@@ -13,15 +13,15 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int dim = 3;
-// Of pieces with weights of no certain sign, about which nothing else is known.
+// For pieces whose weights have no certain sign, so that nothing else is known about them.
 constexpr int most_blind_halvings = 16;
-constexpr int64_t work_of_a_kept_cell = 4000; // memory ends with the work
+constexpr int64_t work_of_a_kept_cell = 4000; // so that memory is limited by the work
 
 bool has_points(const closest::PairCell &cell) noexcept {
     return cell.piece && cell.piece->positive();
 }
 
-// Whether its parameters cannot be halved along the axis on which it is much longer.
+// Whether the parameters cannot be halved any more along the axis on which the patch is much longer.
 bool is_exhausted(const SlopedPatch &patch) noexcept {
     const double along[] = {norm(patch.mean(0), dim), norm(patch.mean(1), dim)};
     const size_t longer = along[0] >= along[1] ? 0 : 1;
@@ -112,7 +112,7 @@ void MeetSearch::add(const Pair &pair) {
     result_.list.push_back(cell);
 }
 
-// Cells of several pieces stand for all of them.
+// Cells of several pieces stand for the whole curve or surface.
 void MeetSearch::add_unknown(const Pair &pair) {
     MeetCell cell{};
     cell.kind = MeetCell::Kind::unknown;
@@ -141,16 +141,17 @@ void MeetSearch::divide(const Pair &pair, bool curve_is_long) {
     if (curve_is_long && divide_one(pair, true)) {
         return;
     }
-    // Groups go before pieces.
+    // Groups of pieces are divided before pieces.
     const auto rank = [](const PairCell &cell) { return cell.piece ? cell.size : cell.size + 1e3; };
-    // Where a chart would do but for how one of them bends that one goes first, if it is not much smaller.
+    // Where only the bending of one of them is in the way of a chart, that one is divided first, if it is not
+    // much smaller.
     constexpr double much = 4;
     const bool both = has_points(*pair.curve) && has_points(*pair.surface);
     const double favour = !both || !judge_.has_chart() ? 1 : judge_.curve_bends_more() ? much : 1 / much;
     const bool curve_first = favour * rank(*pair.curve) >= rank(*pair.surface);
     const PairCell &larger = curve_first ? *pair.curve : *pair.surface,
                    &smaller = curve_first ? *pair.surface : *pair.curve;
-    // Where parameters have no more digits, parts that are much smaller than what is left say little more.
+    // If the parameters of the larger one have no more digits, dividing a much smaller one gains little.
     const bool helps = !larger.piece || 4 * rank(smaller) >= rank(larger);
     if (divide_one(pair, curve_first) || (helps && divide_one(pair, !curve_first))) {
         return;
@@ -163,7 +164,7 @@ void MeetSearch::divide(const Pair &pair, bool curve_is_long) {
     }
 }
 
-// Later parts below, so that those that come first are looked at first.
+// Later parts are pushed first, so that earlier ones are looked at first.
 bool MeetSearch::divide_one(const Pair &pair, bool of_curve) {
     PairCell &cell = of_curve ? *pair.curve : *pair.surface;
     const bool small = has_points(cell) ? cell.size <= near() / 4 : cell.halvings >= most_blind_halvings;

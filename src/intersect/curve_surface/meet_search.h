@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the parts of a curve and a surface that come near each other.
+// A subdivision search for the parts of a curve and a surface that come near each other.
 #pragma once
 
 #include "closest/pair/pair_cells.h"
@@ -11,20 +11,20 @@
 
 namespace nrb::intersect {
 
-// Pairs of cells of the trees of both, down to parts for which charts, bounds from below or feet decide. A search keeps its
-// trees, so that finer ones go on where it ended.
+// Looks at pairs of cells of the trees of both, down to parts for which charts, lower bounds or foot points
+// decide. A search keeps its trees, so that a finer one continues where it ended.
 class MeetSearch {
 public:
     MeetSearch(const Spline &curve, const Spline &surface, const Seams &seams);
 
-    // All that is within the tolerance, or within the noise, of each other.
+    // All parts within the tolerance, or within the noise, of each other.
     MeetCells find(double tolerance);
     // What is as near as rounding can tell, in the parts of some cells.
     MeetCells refine(std::span<const MeetCell> cells);
 
-    // About half of the largest side of the box of both.
+    // About half of the longest side of the common box of both.
     [[nodiscard]] double size() const noexcept { return frame_.unscaled(1); }
-    // What rounding leaves open of a distance.
+    // The uncertainty of a distance due to rounding.
     [[nodiscard]] double noise() const noexcept { return frame_.unscaled(framed_noise()); }
 
 private:
@@ -50,7 +50,7 @@ private:
     int degrees_;
     double tolerance_ = 0;
     std::vector<Pair> stack_;
-    std::deque<pieces::Slopes> arc_slopes_; // by marks of cells
+    std::deque<pieces::Slopes> arc_slopes_; // indexed by the marks of cells
     std::deque<PatchSlopes> patch_slopes_;
     MeetJudge judge_;
     MeetCells result_;

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = MeetCell::Kind;
 
-// Cells one after the other on the curve.
+// Consecutive cells along the curve.
 class Stretch {
 public:
     Stretch(const MeetGroup &group, const Seams &seams) : group_(group), seams_(seams) {}
@@ -62,14 +62,15 @@ private:
             last_ = cell.last;
         }
     }
-    // Whether a line of the surface that a piece ends at is in it.
+    // Whether the cell contains a knot line of the surface, at which pieces end.
     [[nodiscard]] bool holds_line(const MeetCell &cell) const noexcept {
         return seams_.breaks(1).hold_any_in(cell.box[1]) || seams_.breaks(2).hold_any_in(cell.box[2]);
     }
     [[nodiscard]] bool is_knot(const MeetCell::Line &line) const noexcept {
         return line.axis >= 0 && seams_.breaks(static_cast<size_t>(line.axis) + 1).hold(line.at);
     }
-    // Where one of both has a knot; if not, it goes on over what is tiny.
+    // Whether the core begins, or ends, at a knot of the curve or of the surface. If not, the stretch is
+    // extended over the tiny cells.
     [[nodiscard]] bool begins_along() const noexcept {
         return is_knot(first_) || seams_.breaks(0).hold(along_.lower);
     }
@@ -92,7 +93,7 @@ private:
     double reach_ = -infinity;
     Interval whole_{infinity, -infinity}, along_{infinity, -infinity};
     MeetCell::Line first_{}, last_{};
-    double first_line_ = infinity, last_line_ = -infinity; // ends of what is tiny on a line of the surface
+    double first_line_ = infinity, last_line_ = -infinity; // ends of tiny cells on a knot line of the surface
     bool is_along_ = false;
 };
 

@@ -7,13 +7,13 @@
 namespace nrb::intersect {
 
 struct SurfaceOverlap {
-    MeetBox box; // t where the curve is near all along
+    MeetBox box; // t: where the curve is near all along
     std::vector<size_t> cells;
 };
 
-// Of the cells of a group that are `along`, and what is tiny between them: parts that hold a whole span of the curve, or
-// begin and end where one of both has a knot or an end: polynomial pieces that agree on an interval agree until one of them
-// ends. Others are none.
+// The overlaps that cells of kind `along`, and the tiny cells between them, make: stretches that hold a whole
+// span of the curve, or begin and end where the curve or the surface has a knot or an end. Other stretches
+// are no overlaps: polynomial pieces that agree on an interval agree until one of them ends.
 std::vector<SurfaceOverlap> overlaps_of(const MeetGroup &group, const Seams &seams);
 
 } // namespace nrb::intersect

@@ -9,8 +9,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// The last step of de Casteljau's algorithm and that before it: the value, which replaces the first `inner` ones, and the
-// derivative as a difference.
+// The last two steps of de Casteljau's algorithm: the value, which replaces the first `inner` numbers, and
+// the derivative as a difference.
 void last_steps(int degree, int64_t inner, double t, double *b, double *derivative) {
     for (int level = degree; level > 1; --level) {
         casteljau_step(level * inner, inner, t, b);

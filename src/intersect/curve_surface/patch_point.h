@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and derivatives of Bezier pieces of surfaces, with memory that is used again.
+// Points and derivatives of Bezier surface pieces, with memory that is reused.
 #pragma once
 
 #include "intersect/contraction.h"
@@ -15,7 +15,7 @@ public:
     void evaluate(const pieces::BezierPiece &piece, const Place<2> &place);
 
     [[nodiscard]] const double *value() const noexcept { return value_.data(); }
-    // With respect to the place along an axis.
+    // With respect to the local parameter along an axis.
     [[nodiscard]] const double *derivative(int axis) const noexcept {
         return derivatives_.data() + axis * dim_;
     }

@@ -5,7 +5,7 @@
 
 namespace nrb::intersect {
 
-// At an end of a rational curve the derivative is n (w_1 / w_0) (P_1 - P_0).
+// The derivative at the start of a rational curve is n (w_1 / w_0) (P_1 - P_0), and accordingly at its end.
 PatchSlopes::PatchSlopes(const pieces::BezierPiece &piece) : piece_(&piece) {
     count_work(64);
     const int degrees[] = {piece.degree(0), piece.degree(1)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The derivatives of a piece of a surface.
+// The partial derivatives of a surface piece.
 #pragma once
 
 #include "pieces/slopes.h"
@@ -9,8 +9,8 @@
 
 namespace nrb::intersect {
 
-// Hulls of both partial derivatives are made when they are first asked for: those of rational pieces have many vectors, and
-// what the corners say is often enough.
+// The hulls of both partial derivatives are made on demand: those of rational pieces have many vectors, and
+// the derivatives at the corners are often enough.
 class PatchSlopes {
 public:
     // Precondition: piece.positive(), of two axes, in space. The piece stays where it is.

@@ -31,7 +31,7 @@ void Seams::set_jumps(int axis) {
     }
 }
 
-// 2 q + 1 points in a span tell a rational curve of degree q.
+// 2 q + 1 points in each span determine a rational curve of degree q.
 Seams::Rows Seams::line(int axis, double t, bool left) const {
     const int other = 1 - axis;
     const KnotVector &along = surface_.axis(other);

@@ -16,7 +16,7 @@ Vector3 vector_of(const double *x) noexcept {
     return {x[0], x[1], x[2]};
 }
 
-// The inverse of (c, -u, -v), and its determinant; 0 if that is too small to tell.
+// Sets the inverse of (c, -u, -v) and returns the determinant; 0 if that is too small to be certain.
 double invert(const double *c, const double *u, const double *v, Rows &rows) noexcept {
     const Vector3 a = vector_of(c), b = vector_of(u), d = vector_of(v), across = cross(b, d);
     const double determinant = dot(a, across);
@@ -35,7 +35,7 @@ Place<3> times(const Rows &rows, const double *x) noexcept {
     return {dot(rows[0].data(), x, 3), dot(rows[1].data(), x, 3), dot(rows[2].data(), x, 3)};
 }
 
-// The largest |row . d - wanted| for a vector d of the hull.
+// The largest |row . d - wanted| of a vector d of the hull.
 double deviation(const double *row, const pieces::Slopes &slopes, double wanted) noexcept {
     double most = 0;
     for (size_t i = 0; i < slopes.count(); ++i) {
@@ -78,7 +78,8 @@ void SpaceChart::prove(const pieces::SlopedPiece &arc, const SlopedPatch &patch)
     }
 }
 
-// What the ends of the curve and the corners of the surface make of it, which are among the vectors of the hulls.
+// A lower bound on rho, from the ends of the curve and the corners of the surface, whose derivatives are in
+// the hulls.
 double SpaceChart::least_rho(const pieces::SlopedPiece &arc, const SlopedPatch &patch) noexcept {
     double most = 0;
     for (size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces of a curve and of a surface in space that meet once at most.
+// A Krawczyk test for a curve piece and a surface piece that meet at most once.
 #pragma once
 
 #include "intersect/contraction.h"
@@ -7,7 +7,7 @@
 
 namespace nrb::intersect {
 
-// A piece of a surface whose weights are positive.
+// A surface piece with positive weights, and its derivatives.
 struct SlopedPatch {
     const pieces::BezierPiece *piece;
     PatchSlopes *slopes;
@@ -15,24 +15,25 @@ struct SlopedPatch {
     [[nodiscard]] const pieces::Slopes &along(int axis) const { return slopes->along(axis); }
 };
 
-// The contraction of F(t, u, v) = C(t) - S(u, v): M is the inverse of (c, -s_u, -s_v), with the means of the derivatives.
+// The contraction of F(t, u, v) = C(t) - S(u, v). M is the inverse of (c, -s_u, -s_v), the mean derivatives.
 class SpaceChart {
 public:
-    // M alone, of these pieces.
+    // Sets M for these pieces, without a proof.
     void set(const pieces::SlopedPiece &arc, const SlopedPatch &patch);
-    // Whether there is one, and which way the curve goes through the surface then: 1 or -1.
+    // 0: M does not exist. Otherwise 1 or -1: in which sense the curve passes through the surface.
     [[nodiscard]] int turn() const noexcept { return turn_; }
-    // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: turn() != 0.
+    // Whether some row of M F is everywhere larger than |F| <= near allows, as the control points show.
+    // Precondition: turn() != 0.
     [[nodiscard]] bool excludes(const pieces::SlopedPiece &arc, const SlopedPatch &patch,
                                 double near) const noexcept;
 
-    // The contraction. The hulls of derivatives are asked for only if the corners leave room for a proof.
+    // Sets the contraction. The hulls of derivatives are computed only if the corners leave room for a proof.
     void prove(const pieces::SlopedPiece &arc, const SlopedPatch &patch);
     [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
     [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
     // M times a difference.
     [[nodiscard]] Place<3> step(const double *difference) const noexcept;
-    // Whether the curve bends more than the surface, as M has it.
+    // Whether the curve contributes more to rho than the surface.
     [[nodiscard]] bool curve_bends_more() const noexcept { return curve_bends_more_; }
 
 private:
@@ -46,7 +47,7 @@ private:
     bool curve_bends_more_ = false;
 };
 
-// The step of Newton's method from a difference where the derivatives are these; false if they all but lie in a plane.
+// The Newton step for a difference, from the derivatives; false if they are nearly coplanar.
 bool newton_step(const double *c, const double *u, const double *v, const double *difference,
                  Place<3> &step) noexcept;
 

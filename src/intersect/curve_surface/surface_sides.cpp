@@ -16,16 +16,16 @@ namespace nrb::intersect {
 
 namespace {
 
-// A way along the curve from a place on, up or down, near which the surface is at parameters of its own.
+// A walk along the curve from a place, up or down; near that place the surface has the given parameters.
 struct SpaceWay {
     double from;
     std::array<double, 2> on_surface;
     bool up;
-    double first, most; // lengths of the first step and of all, in parameters of the curve
-    double width;       // how far from the place on the surface its foot may be to begin with
+    double first, most; // distances of the first and of the last allowed sample, in parameters of the curve
+    double width;       // how far from the place on the surface the foot point may be at the start
 };
 
-// A side, and the normal that points to the upper one.
+// A side, and the normal that points to the positive one.
 struct Side {
     int sign = 0; // 1 or -1; 0: not known
     Vector3 normal;
@@ -36,7 +36,7 @@ public:
     SideOfSurface(const Spline &curve, const Spline &surface, const Seams &seams, double noise)
         : curve_(curve), surface_(surface), seams_(seams), noise_(noise) {}
 
-    // None where the curve ends before, or the surface does, or it goes too far.
+    // The side along a walk; unknown if the curve or the surface ends first, or the walk becomes too long.
     [[nodiscard]] Side along(const SpaceWay &way) const {
         const Interval domain = seams_.domain(0);
         const std::vector<double> from = point(way.from);
@@ -71,7 +71,8 @@ private:
     }
     static constexpr double little = 0x1p-16;
 
-    // Of no length where the surface is folded or has a point for a line, as far as that can be told.
+    // The unit normal; 0 where the surface is folded or a line of it is one point without a normal, as far as
+    // that can be told.
     [[nodiscard]] Vector3 normal(const Params &params) const {
         for (size_t k = 0; k < 2; ++k) {
             const auto [lower, upper] = seams_.domain(k + 1);
@@ -84,7 +85,8 @@ private:
         }
         return regular_normal(params, little * eval::active_size(surface_));
     }
-    // No derivative is shorter than `least`, as it goes over the whole domain.
+    // The unit normal; 0 where a derivative, over the length of the domain, is shorter than `least`, or both
+    // are parallel.
     [[nodiscard]] Vector3 regular_normal(const Params &params, double least) const {
         const std::array<Vector3, 3> here = jet(params);
         const Vector3 across = cross(unit(here[1]), unit(here[2]));
@@ -95,7 +97,7 @@ private:
         }
         return regular ? unit(across) : Vector3{};
     }
-    // From all around it; the apex of a cone has none.
+    // From samples all around the pole; the apex of a cone has no normal.
     [[nodiscard]] Vector3 normal_of_pole(size_t k, double beside) const {
         constexpr int samples = 8;
         const auto [lower, upper] = seams_.domain(2 - k);
@@ -111,7 +113,8 @@ private:
         }
         return first;
     }
-    // The foot of a perpendicular tells the side; a border and an edge do not, nor a foot that is elsewhere.
+    // The foot point of a perpendicular determines the side. A border or an edge does not, nor does a foot
+    // point that is farther than `reach` from the guess.
     [[nodiscard]] Side at(const double *x, const Params &guess, double reach) const {
         const Params start{seams_.in_domain(1, guess[0]), seams_.in_domain(2, guess[1])};
         const closest::Foot foot = closest::locator_of(surface_).local(x, start.data());

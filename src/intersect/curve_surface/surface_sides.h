@@ -6,8 +6,8 @@
 
 namespace nrb::intersect {
 
-// Whether the curve is on both sides of the surface before and after a group, where it first is farther from it than
-// rounding can tell. reach: how far the curve goes in the group.
+// Whether the curve is on different sides of the surface before and after a group, each time at the first
+// sample that is farther from it than rounding can tell. reach: how far the curve goes in the group.
 bool changes_side(const Spline &curve, const Spline &surface, const Seams &seams, const MeetGroup &group,
                   double reach, double noise);
 

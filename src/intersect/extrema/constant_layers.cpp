@@ -7,7 +7,7 @@ namespace nrb::intersect {
 
 namespace {
 
-// How often the end of a span is a knot, seen from the span; the degree at most.
+// The multiplicity of the knot at an end of a span; the degree at most.
 int copies(const KnotVector &axis, int64_t span, bool upper) noexcept {
     const int64_t first = upper ? span + 1 : span, step = upper ? 1 : -1;
     int count = 0;
@@ -17,7 +17,7 @@ int copies(const KnotVector &axis, int64_t span, bool upper) noexcept {
     return count;
 }
 
-// Control points that are active on a span, or at an end of it, by their place along an axis.
+// The control points that are active on a span, or at an end of it, by their position along each axis.
 class Window {
 public:
     Window(const Spline &spline, const std::array<int64_t, max_axes> &spans, const Sides &sides)
@@ -32,7 +32,7 @@ public:
             counts_[at] = spline.count(k);
         }
     }
-    // Whether all of a layer have one value.
+    // Whether all control points of a layer have a value.
     [[nodiscard]] bool is(int axis, int layer, double value) const noexcept {
         std::array<int, max_axes> from{}, to = sizes_;
         from[static_cast<size_t>(axis)] = layer;
@@ -62,9 +62,11 @@ private:
 
 } // namespace
 
-// With p + 1 control points, m copies of a knot at the end of the span, and the first q control points of one value: the
-// spline with that value for all before them as well is the same on the span, and constant beyond the knot if q > p - m,
-// where functions i >= q are of the order i on the span. The first p - m + 1 of them are those that are not 0 at the knot.
+// Let the knot at an end of the span have m copies. Number the p + 1 active control points, and their basis
+// functions, i = 0, ..., p from there, and let the first q control points have the value c. The functions
+// that do not vanish at the knot are those with i <= p - m. Let q > p - m. Setting all control points before
+// the active ones to c does not change the spline on the span, and makes it c just beyond the knot. The
+// functions with i >= q vanish to the order i at the knot, so f - c vanishes to the order q there.
 ConstantLayers constant_layers(const Spline &spline, const std::array<int64_t, max_axes> &spans,
                                const Sides &sides) {
     ConstantLayers result;

@@ -18,10 +18,10 @@ namespace {
 
 using namespace extremum_kind;
 
-// What bounds a part of a curve: an end of it, a jump up or down, or one that rounding hides.
+// What bounds a part of a curve: an end of the curve, a jump up or down, or a jump hidden by rounding.
 enum class Wall { none, up, down, hidden };
 
-// The sign of what lies beyond, of which an end has none.
+// The sign of the slope that a jump amounts to; 0 for an end, and where rounding hides it.
 int sign_of(Wall wall) noexcept {
     return wall == Wall::up ? 1 : wall == Wall::down ? -1 : 0;
 }
@@ -29,7 +29,7 @@ int sign_of(Wall wall) noexcept {
 struct PartOfCurve {
     Interval range;
     Wall before, after;
-    bool closed; // all of a periodic curve, which does not jump
+    bool closed; // a whole periodic curve without jumps
 };
 
 // Extrema of a part of a curve between jumps.
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    // Where the sign inside is known up to the end.
+    // An extremum at an end of the part, if the sign inside is known right up to there.
     void add_end(double at, Wall wall, int inside, bool start) {
         if (inside == 0) {
             return;
@@ -94,7 +94,7 @@ private:
         put(at, zero.range, sure ? turn : undecided);
     }
 
-    // All of a range, if control points say that it is one piece after the other.
+    // The whole range, if the control points show that all of its pieces are constant.
     [[nodiscard]] std::optional<Interval> constant_range(Interval range) const {
         double known = range.lower;
         for (const double shift : {0.0, f_.period()}) {
@@ -126,11 +126,11 @@ private:
     SlopeFunction f_;
     Wall before_, after_;
     LevelSigns signs_;
-    bool ended_; // at the limit of work, where ranges hold what was not looked at
+    bool ended_; // at the limit of work: ranges also hold what was not looked at
     std::vector<Extremum> found_;
 };
 
-// From one limit of a jump to the other; none if they are equal.
+// The jump between the limits at a knot, given by their control points; none if they are equal.
 Wall wall_between(const Spline &curve, int64_t left, int64_t right) noexcept {
     const double a = curve.coordinate(left, 0), b = curve.coordinate(right, 0);
     const double known = curve.form() == Form::homogeneous ? 2 * eps * std::max(std::abs(a), std::abs(b)) : 0;
@@ -161,7 +161,7 @@ std::vector<CurveJump> jumps_inside(const Spline &curve) {
     return jumps;
 }
 
-// At the seam of a periodic curve.
+// The jump at the seam of a periodic curve.
 Wall wall_at_seam(const Spline &curve) noexcept {
     const KnotVector &axis = curve.axis(0);
     const Interval domain = axis.domain();
@@ -172,7 +172,7 @@ Wall wall_at_seam(const Spline &curve) noexcept {
                         axis.find_span(domain.lower, false) - axis.degree());
 }
 
-// Between jumps; those at both ends are given.
+// The extrema of the parts between jumps. ends: the wall at both ends of the domain.
 Extrema extrema_between(const Spline &curve, const std::vector<CurveJump> &jumps, Wall ends) {
     const Interval domain = curve.axis(0).domain();
     const bool closed = curve.axis(0).periodic() && jumps.empty() && ends == Wall::none;
@@ -187,7 +187,7 @@ Extrema extrema_between(const Spline &curve, const std::vector<CurveJump> &jumps
     return result;
 }
 
-// Of a periodic curve, and what is at its upper end to the lower one.
+// For a periodic curve: moves what is at the upper end of the domain, or beyond it, down by a period.
 void move_to_domain(std::vector<Extremum> &list, Interval domain) {
     const double period = domain.upper - domain.lower;
     const auto moved = [=](double at) { return at == domain.upper ? domain.lower : at - period; };
@@ -199,7 +199,7 @@ void move_to_domain(std::vector<Extremum> &list, Interval domain) {
     }
 }
 
-// None if rounding does not let it.
+// Null if rounding makes that impossible.
 SplinePtr moved_seam(const SplinePtr &curve, double seam) {
     try {
         return refine::move_seam(curve, 0, seam);

@@ -6,8 +6,8 @@
 
 namespace nrb::intersect {
 
-// In rising order. The derivative's signs are proven on Bernstein pieces, by variation diminishing. Throws
-// Status::not_representable.
+// In ascending order. The signs of the derivative are proven on Bernstein pieces by the variation diminishing
+// property. Throws Status::not_representable.
 Extrema curve_extrema(const SplinePtr &curve);
 
 } // namespace nrb::intersect

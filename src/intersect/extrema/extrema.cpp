@@ -9,7 +9,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int64_t work_of_a_point = 20000; // times the strata that have a part in its pieces
+constexpr int64_t work_of_a_point = 20000; // times axes^2, for the strata of its pieces
 
 } // namespace
 

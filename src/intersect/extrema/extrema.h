@@ -6,7 +6,7 @@
 
 namespace nrb::intersect {
 
-// In rising order of the axes. Precondition: dimension 1. Throws Status::not_representable.
+// In ascending order of the parameters. Precondition: dimension 1. Throws Status::not_representable.
 Extrema extrema_of(const SplinePtr &spline);
 
 } // namespace nrb::intersect

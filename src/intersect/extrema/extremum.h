@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is found where a scalar spline is stationary or turns.
+// Extrema, saddles and plateaus of a scalar spline.
 #pragma once
 
 #include "spline/part.h"
@@ -10,12 +10,13 @@
 
 namespace nrb::intersect {
 
-// Bits.
+// Bit flags.
 namespace extremum_kind {
 inline constexpr uint32_t minimum = 1, maximum = 2, saddle = 4, plateau = 8, undecided = 16;
 }
 
-// The extremum is in the range; f is constant on that of a plateau. On periodic axes ranges may leave the domain.
+// The extremum lies in the range; a plateau is a range on which f is constant. On periodic axes ranges may
+// leave the domain.
 struct Extremum {
     std::array<double, max_axes> at{};
     Part range{};
@@ -23,7 +24,7 @@ struct Extremum {
     uint32_t kinds = 0;
 };
 
-// There is nothing outside of the ranges.
+// There are no extrema outside of the ranges.
 struct Extrema {
     std::vector<Extremum> list;
     [[nodiscard]] bool complete() const noexcept {
@@ -32,7 +33,7 @@ struct Extrema {
     }
 };
 
-// What f does seen along an axis from below: 1 or -1, it rises or falls before a place and after it.
+// The kind of extremum along one axis. 1 or -1: f rises or falls before the place, and after it.
 inline uint32_t turn_of(int before, int after) noexcept {
     return before == after ? extremum_kind::saddle
            : before > 0    ? extremum_kind::maximum

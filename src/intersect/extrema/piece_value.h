@@ -6,7 +6,7 @@
 
 namespace nrb::intersect {
 
-// At a place in [0, 1] on each axis of the spline.
+// The value at local parameters in [0, 1], one for each axis of the spline.
 double value_of(const pieces::HomogeneousPiece &piece, const std::array<double, max_axes> &place);
 
 } // namespace nrb::intersect

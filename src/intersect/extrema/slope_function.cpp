@@ -11,7 +11,7 @@ namespace nrb::intersect {
 SlopeFunction::SlopeFunction(const Spline &curve, Interval part, bool closed)
     : CurveFunction(curve, part, closed) {}
 
-// The derivative has differences of control points as control points.
+// The control points of the derivative are positive multiples of the differences of control points.
 int SlopeFunction::far(int64_t e, double) const {
     if (curve().rational()) {
         return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The derivative of a scalar curve, as far as its signs matter.
+// The derivative of a scalar curve up to a positive factor, for its signs.
 #pragma once
 
 #include "intersect/curve_function.h"
@@ -12,9 +12,9 @@ public:
 
     [[nodiscard]] int far(int64_t e, double tolerance) const override;
     [[nodiscard]] FunctionPiece piece(int64_t e) const override;
-    // Whether the curve is constant on a piece, as its control points tell.
+    // Whether the curve is constant on a piece, as its control points show.
     [[nodiscard]] bool is_constant(int64_t e) const;
-    // Of the curve itself, in the domain; at the ends from inside.
+    // The value of the curve itself at a parameter in the domain; at the ends the limit from inside.
     [[nodiscard]] double value(double parameter) const;
 
 private:

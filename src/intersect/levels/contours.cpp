@@ -11,8 +11,8 @@ namespace {
 using pieces::HomogeneousPiece;
 using Vector = std::array<double, 3>;
 
-// With homogeneous H = (A, w) the second fundamental form has the entries det(H, H_u, H_v, H_ij), but for a common factor;
-// the determinant is N . A_ij - (A . A_u x A_v) w_ij.
+// The second fundamental form of a piece. With homogeneous points H = (A, w) its entries are, up to a common
+// factor, det(H, H_u, H_v, H_ij) = N . A_ij - (A . A_u x A_v) w_ij.
 class Bending {
 public:
     explicit Bending(const HomogeneousPiece &piece)
@@ -20,7 +20,7 @@ public:
           volume_(dot(piece.points, cross(derivative(piece.points, piece.axis(0)),
                                           derivative(piece.points, piece.axis(1))))) {}
 
-    // The Gaussian curvature, but for a factor that is positive.
+    // The Gaussian curvature up to a positive factor.
     [[nodiscard]] RoundedPolynomial gauss() const {
         const RoundedPolynomial mixed = entry(0, 1);
         return entry(0, 0) * entry(1, 1) - mixed * mixed;
@@ -61,7 +61,7 @@ PieceField::Function function_of(ContourKind kind, const Vector &d, double cosin
     return [](const HomogeneousPiece &piece) { return Bending(piece).gauss(); };
 }
 
-// Bounds of the degree of f on an axis of degree p: N is of degree 2 p - 1, or 3 p - 1 with weights.
+// Bounds on the degree of f along an axis of degree p: N is of degree 2 p - 1, or 3 p - 1 with weights.
 int degree_of(ContourKind kind, bool weighted, int p) noexcept {
     const int normal = degree_of_normal(weighted, p);
     switch (kind) {
@@ -77,7 +77,7 @@ int degree_of(ContourKind kind, bool weighted, int p) noexcept {
     return 2 * (normal + p);
 }
 
-// Of the two signs of N . d that the squares do not tell, zeros have that of the cosine.
+// Squaring loses the sign of N . d: only those zeros count at which it is the sign of the cosine.
 PieceField::Function sign_of(const Vector &d, double cosine) {
     if (cosine == 0) {
         return {};

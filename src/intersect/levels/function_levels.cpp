@@ -32,7 +32,7 @@ void check_domains(const Spline &surface, const Spline &scalar) {
     }
 }
 
-// With the breaks of the other one, so that both have the same pieces.
+// The spline with the breaks of the other one inserted, so that both have the same pieces.
 SplinePtr with_breaks_of(SplinePtr spline, const Spline &other) {
     for (int k = 0; k < 2; ++k) {
         const std::span<const double> own = spline->axis(k).spans().breaks();
@@ -62,7 +62,7 @@ Meet implicit_level(const Spline &surface, const ImplicitForm &form, double tole
 Meet scalar_levels(const SplinePtr &surface, const SplinePtr &scalar, std::span<const double> values,
                    double tolerance) {
     check_domains(*surface, *scalar);
-    const LimitedSearch whole; // making the same pieces is a part of the search
+    const LimitedSearch whole; // refinement to the same pieces is a part of the search
     const SplinePtr on = with_breaks_of(surface, *scalar), of = with_breaks_of(scalar, *surface);
     const auto function = [&](size_t i) {
         const std::span<const double> value = values.subspan(i, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves on a surface along which a function has given values.
+// Level curves of functions on a surface.
 #pragma once
 
 #include "intersect/implicit_form.h"
@@ -9,11 +9,13 @@
 
 namespace nrb::intersect {
 
-// Where an implicit polynomial of space vanishes on a surface: a quadric, an algebraic surface. tolerance > 0.
+// Where an implicit polynomial in space, such as a quadric or another algebraic surface, vanishes on a
+// surface. tolerance > 0.
 Meet implicit_level(const Spline &surface, const ImplicitForm &form, double tolerance);
 
-// Where a scalar spline over the domain of a surface has values, one after the other. tolerance > 0: in space. Throws
-// Status::incompatible if the domains differ or one is periodic where the other is not, and what refinement throws.
+// Where a scalar spline over the domain of a surface has given values, one level for each of them.
+// tolerance > 0, in space. Throws Status::incompatible if the domains differ or only one of them is periodic,
+// and what refinement throws.
 Meet scalar_levels(const SplinePtr &surface, const SplinePtr &scalar, std::span<const double> values,
                    double tolerance);
 

@@ -68,6 +68,7 @@ void Meet::tidy_nodes() {
 
 namespace {
 
+// Chains branches into ways.
 class Ways {
 public:
     explicit Ways(Meet meet) : meet_(std::move(meet)), taken_(meet_.branches.size(), false) {
@@ -104,7 +105,7 @@ public:
 private:
     static constexpr size_t none = static_cast<size_t>(-1);
 
-    // What goes on where a branch ends: the branch of a node that is its next one.
+    // The branch that continues where this one ends: the one that begins at the next node.
     [[nodiscard]] size_t next(size_t branch) const noexcept {
         const int64_t end = meet_.branches[branch].nodes[1];
         const int64_t node = end < 0 ? -1 : meet_.nodes[static_cast<size_t>(end)].next;
@@ -118,7 +119,7 @@ private:
             }
         }
     }
-    // Of a closed way the branch itself.
+    // The first branch of a way that is not closed; otherwise the branch itself.
     [[nodiscard]] size_t first_of(size_t branch) const noexcept {
         size_t at = branch;
         while (before_[at] != none && before_[at] != branch) {
@@ -143,7 +144,7 @@ private:
 
     Meet meet_;
     std::vector<bool> taken_;
-    std::vector<size_t> begun_at_, before_; // by nodes, by branches
+    std::vector<size_t> begun_at_, before_; // indexed by node, and by branch
     std::vector<MeetBranch> branches_;
 };
 

@@ -11,7 +11,8 @@ namespace {
 using pieces::HomogeneousPiece;
 using Vector = std::array<double, 3>;
 
-// A ray v is mirrored to r = |N|^2 v - 2 (N . v) N, whose line meets a + s l where det(r, S - a, l) = 0.
+// A line of sight v is mirrored to r = |N|^2 v - 2 (N . v) N; from S, that meets a + s l where
+//     det(r, S - a, l) = 0
 PieceField::Function function_of(ReflectionKind kind, const Vector &eye, const Vector &direction,
                                  const Vector &point) {
     return [=](const HomogeneousPiece &piece) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a surface mirrors lines of light.
+// Reflection lines and highlight lines: where a surface mirrors lines of light.
 #pragma once
 
 #include "base/records.h"
@@ -10,13 +10,13 @@
 namespace nrb::intersect {
 
 enum class ReflectionKind : int32_t {
-    highlight = 1, // normals meet the line
-    along = 2,     // it is seen along a direction
-    from = 3,      // it is seen from a point
+    highlight = 1, // the line along the normal meets the line of light
+    along = 2,     // the line of light is seen, mirrored, along the direction `eye`
+    from = 3,      // the line of light is seen, mirrored, from the point `eye`
 };
 
-// Of lines of one direction through each of some points, one after the other. tolerance > 0, directions not 0.
-// Precondition: a surface in space.
+// One level for each line of light, of a common direction through each of the points. tolerance > 0,
+// directions not 0. Precondition: a surface in space.
 Meet surface_reflections(const Spline &surface, ReflectionKind kind, const std::array<double, 3> &eye,
                          const std::array<double, 3> &direction, const ConstRecords &points,
                          double tolerance);

@@ -13,7 +13,7 @@ namespace nrb::intersect {
 
 namespace {
 
-// Planes by a unit normal, however long the one that was given.
+// Planes with a unit normal, whatever the length of the given one.
 class Planes {
 public:
     explicit Planes(const std::array<double, 3> &normal) : normal_(normal) {
@@ -46,7 +46,7 @@ private:
 
 Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
                     std::span<const double> offsets, double tolerance) {
-    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
+    const LimitedSearch whole; // for a limit set by the caller; each level has its own usual limit
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
     const Planes planes(normal);
     PlaneField field(grid, planes.normal());
@@ -60,7 +60,7 @@ Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
             level -= part;
             size += std::abs(part);
         }
-        if (std::isfinite(size)) { // else it is farther away than numbers reach
+        if (std::isfinite(size)) { // otherwise the plane is too far away to be represented
             const UsualLimit usual(usual_work(surface.point_count()));
             const LimitedSearch limited;
             field.set_level(grid.scaled(level), 8 * eps * grid.scaled(size));

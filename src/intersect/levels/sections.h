@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where planes cut a surface.
+// Sections of a surface with planes.
 #pragma once
 
 #include "intersect/levels/level_meet.h"
 
 namespace nrb::intersect {
 
-// The planes x . normal = offset, tolerance > 0. Preconditions: a surface in space, a finite normal that is not 0.
+// One level for each of the planes x . normal = offset. tolerance > 0. Preconditions: a surface in space, a
+// finite normal that is not 0.
 Meet plane_sections(const Spline &surface, const std::array<double, 3> &normal,
                     std::span<const double> offsets, double tolerance);
 

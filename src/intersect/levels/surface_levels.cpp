@@ -15,7 +15,7 @@ std::array<double, 2> middle_of(const LevelPart &part) noexcept {
     return {part.lower[0] + part.length[0] / 2, part.lower[1] + part.length[1] / 2};
 }
 
-// What goes on from there ends.
+// Drops the arcs, and the small clusters, at which zeros do not count. What adjoins a dropped arc ends there.
 void drop_what_does_not_count(LevelField &field, LevelPieces &found) {
     std::erase_if(found.arcs, [&](const LevelArc &arc) {
         const bool counts = field.counts(arc.part.piece, arc.first) && field.counts(arc.part.piece, arc.last);
@@ -68,7 +68,7 @@ Meet SurfaceLevels::find(int64_t level) {
 
 Meet levels_of_functions(const Spline &surface, const Spline &spline, size_t count,
                          const std::function<LevelFunction(size_t i)> &function, double tolerance) {
-    const LimitedSearch whole; // by a limit of the caller; each level has the usual one of its own
+    const LimitedSearch whole; // for a limit set by the caller; each level has its own usual limit
     const pieces::PieceGrid &grid = pieces::piece_grid_of(surface);
     Meet all;
     Steps steps(static_cast<int64_t>(count));

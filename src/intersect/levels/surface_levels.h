@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The curves along which functions over a surface vanish.
+// The zero curves of functions over a surface.
 #pragma once
 
 #include "intersect/levels/fields/piece_field.h"
@@ -10,13 +10,13 @@
 
 namespace nrb::intersect {
 
-// Adds those of one function after the other.
+// Finds the zero curves of a field, whose function may be changed between calls.
 class SurfaceLevels {
 public:
-    // tolerance > 0: of the curves, in space and in the unit of the caller.
+    // tolerance > 0: the deviation of the curves in space, in the unit of the caller.
     SurfaceLevels(LevelField &field, double tolerance);
 
-    // Of the function as it is now; level: what it is called in the answer.
+    // The zero curves of the present function; level: the index by which the result names it.
     Meet find(int64_t level);
 
 private:
@@ -25,8 +25,8 @@ private:
     double tolerance_;
 };
 
-// Where functions of a spline's pieces vanish on a surface with the same pieces, one after the other. Each has the usual limit of
-// work.
+// The zero curves of `count` functions of the pieces of `spline`, one level each, on a surface with the same
+// pieces. Zeros count where `sign` is positive, if there is one. Each function has the usual work limit.
 struct LevelFunction {
     PieceField::Function function, sign;
 };

@@ -12,7 +12,7 @@ namespace nrb::intersect {
 
 namespace {
 
-// 1 or -1: a derivative without zeros, which nowhere is much smaller than elsewhere; else 0.
+// 1 or -1: the sign of a derivative that has no zero and nowhere is much smaller than elsewhere; else 0.
 int sign_of(Interval slopes) noexcept {
     constexpr double most = 16;
     return slopes.lower > 0 && slopes.upper < most * slopes.lower   ? 1
@@ -20,7 +20,7 @@ int sign_of(Interval slopes) noexcept {
                                                                     : 0;
 }
 
-// Of the values at the ends, which the places run through.
+// The range of the values between those at both ends.
 Interval rising(double start, double end) noexcept {
     return {std::min(start, end), std::max(start, end)};
 }
@@ -57,7 +57,8 @@ void Beside::set(const pieces::BezierPiece &a, const pieces::Slopes &slopes_a, c
     }
 }
 
-// Quotients of linear functions of the derivative, whose hull has their extremes in its corners.
+// Slopes are quotients of linear functions of the derivative, so over its hull they are extreme at the
+// vertices.
 Interval Beside::slopes(const pieces::Slopes &of, double least) const noexcept {
     Interval slopes{infinity, -infinity};
     double steepest = 0;
@@ -79,7 +80,7 @@ double Beside::rounding() const noexcept {
     return a_->moved() + b_->moved() + 8 * (a_->dim() + 2) * eps * (a_->reach() + b_->reach());
 }
 
-// Newton's method from secants between bounds: the values rise or fall along the whole piece.
+// Newton's method from the secant, safeguarded by bisection: values only rise, or only fall, along the piece.
 double Beside::place(const pieces::BezierPiece &piece, int direction, double value) {
     const int p = piece.degree(0), dim = piece.dim();
     given_.clear(); // (x . d - value) w
@@ -87,7 +88,7 @@ double Beside::place(const pieces::BezierPiece &piece, int direction, double val
         const double *record = piece.record(i);
         given_.push_back(direction * (dot(d_.data(), record, dim) - value * record[dim]));
     }
-    // An end that differs by rounding alone is meant.
+    // A value within rounding of that at an end means the end.
     if (given_.front() >= -rounding() * piece.weight(0)) {
         return 0;
     }
@@ -125,7 +126,7 @@ std::optional<Beside::Places> Beside::near(double near) {
     if (both.lower - reach > both.upper) {
         return {};
     }
-    // Beyond an end of one of them the other one may go on for as long as that.
+    // Beyond the end of one piece the other one may be near for as long as that.
     return at({std::min(both.lower, both.upper) - reach, std::max(both.lower, both.upper) + reach});
 }
 

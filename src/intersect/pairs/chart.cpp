@@ -9,7 +9,8 @@
 
 namespace nrb::intersect {
 
-// M is the pseudoinverse of (a, -b), with the means of both; false if they are nearly parallel, or one is 0.
+// M is the pseudoinverse of (u, -v), the mean derivatives of both. False if they are nearly parallel, or one
+// is 0.
 bool Chart::set_rows(const double *u, const double *v) {
     const double uu = dot(u, u, dim_), vv = dot(v, v, dim_), uv = dot(u, v, dim_);
     const double determinant = uu * vv - uv * uv;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of pieces of curves that come near each other in one place at most.
+// A Krawczyk test for pairs of curve pieces that are near each other in at most one place.
 #pragma once
 
 #include "intersect/contraction.h"
@@ -7,21 +7,22 @@
 
 namespace nrb::intersect {
 
-// The contraction of F(x, y) = A(x) - B(y), with two rows of M.
+// The contraction of F(x, y) = A(x) - B(y), by a matrix M of two rows.
 class Chart {
 public:
     void set(const pieces::Slopes &a, const pieces::Slopes &b, int dim);
 
     [[nodiscard]] bool proven() const noexcept { return contraction_.proven(); }
     [[nodiscard]] const Contraction &contraction() const noexcept { return contraction_; }
-    // Whether a row of M F is nowhere as small as where |F| <= near, as control points tell. Precondition: proven().
+    // Whether some row of M F is everywhere larger than |F| <= near allows, as the control points show.
+    // Precondition: proven().
     [[nodiscard]] bool excludes(const pieces::BezierPiece &a, const pieces::BezierPiece &b,
                                 double near) const noexcept;
-    // One step of Newton's method with M from a difference.
+    // The simplified Newton step M F, for a difference F.
     [[nodiscard]] Place<2> step(const double *difference) const noexcept;
-    // The square of the sine between the mean slopes.
+    // The squared sine of the angle between the mean derivatives.
     [[nodiscard]] double square_of_sine() const noexcept { return sine_; }
-    // 1 or -1: A' x B' in the plane.
+    // In the plane: the sign of A' x B', 1 or -1.
     [[nodiscard]] int turn() const noexcept { return turn_; }
 
 private:

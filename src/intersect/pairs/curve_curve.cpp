@@ -24,6 +24,7 @@ namespace {
 using Kind = NearCell::Kind;
 using Cells = std::vector<NearCell>;
 
+// Finds the hits of two curves, or of a curve with itself.
 class Meeting {
 public:
     Meeting(const Spline &a, const Spline &b, double tolerance)
@@ -61,7 +62,8 @@ private:
         return items;
     }
 
-    // Which are hits of their own: those whose parts of a hang together. They overlap each other.
+    // Reports the unknown cells as hits of their own and returns the others. Unknown cells overlap each
+    // other, so those that adjoin along the first curve are merged into one hit.
     Cells without_unknown(const Cells &cells) {
         Cells known, unknown;
         for (const NearCell &cell : cells) {
@@ -83,7 +85,7 @@ private:
         return known;
     }
 
-    // Parts within the tolerance that hang together: what is no overlap is looked at once more, without the
+    // For connected parts within the tolerance. What is no overlap is searched once more, without the
     // tolerance.
     void add_near(const NearItem &near, const Cells &cells) {
         if (near.is_still()) {
@@ -115,7 +117,8 @@ private:
         }
     }
 
-    // Of a curve with itself: parts that follow each other, and places that all of the curve between them is near.
+    // For a curve with itself: parts that follow each other, and places that are near the whole curve between
+    // them, as far as samples show.
     [[nodiscard]] bool is_one_place(const NearCell &cell) const {
         return cell.kind == Kind::simple || cell.kind == Kind::fold ||
                (&a_ == &b_ && is_one_place(cell.at_a, cell.at_b));
@@ -138,7 +141,8 @@ private:
         return true;
     }
 
-    // Returns the cells that they and what hangs on them are made of; meets stand for themselves.
+    // Reports the overlaps. Returns which cells they, and what adjoins them, consist of; proven intersections
+    // are reported by themselves.
     std::vector<bool> add_overlaps(const NearItem &near) {
         std::vector<bool> taken(near.cells.size(), false);
         const std::vector<Link> links = links_of(a_, b_, near.cells);
@@ -170,7 +174,7 @@ private:
         return taken;
     }
 
-    // What is as near as rounding can tell. Returns whether there is anything.
+    // Reports what is as near as rounding can tell. Returns whether there is anything.
     bool add_exact(const Cells &given) {
         Cells cells;
         bool any = false;
@@ -201,7 +205,7 @@ private:
 
     [[nodiscard]] HitKind kind_of(const NearItem &item) const {
         if (item.has(Kind::fold) || item.has(Kind::simple)) {
-            return HitKind::undecided; // there may be a loop that rounding cannot tell
+            return HitKind::undecided; // there may be a loop that is hidden by rounding
         }
         const bool runs_beside = item.has(Kind::along) || item.has(Kind::tiny);
         const bool is_long = runs_beside && extent(item) > 0x1p-6 * search_.size(); // more than a touch
@@ -210,7 +214,7 @@ private:
             return cell.turn != 0 && cell.turn == item.cells.front().turn;
         });
         const bool crosses = !runs_beside && one_turn && item.cells.size() > 1;
-        // Along a long part they may cross more than once.
+        // Along a long part the curves may cross more than once.
         if (dim_ == 2 && inside && !is_long && (crosses || changes_side(item))) {
             return HitKind::crossing;
         }
@@ -221,12 +225,12 @@ private:
             return HitKind::overlap;
         }
         if (is_long) {
-            return HitKind::undecided; // and no overlap
+            return HitKind::undecided; // and not an overlap
         }
         return runs_beside || (dim_ == 2 && inside && !one_turn) ? HitKind::tangent : HitKind::crossing;
     }
 
-    // How far a goes in it.
+    // How far a goes within the item.
     [[nodiscard]] double extent(const NearItem &item) const {
         const std::vector<double> from = eval::curve_point(a_, in_domain(a_, item.a.lower), false);
         double most = 0;
@@ -238,7 +242,7 @@ private:
         return most;
     }
 
-    // On both sides of what rounding can tell.
+    // Whether a is on different sides of b before and after the item, beyond what rounding can tell.
     [[nodiscard]] bool changes_side(const NearItem &item) const {
         const Interval domain = a_.axis(0).domain();
         const double length = domain.upper - domain.lower, size = std::max(std::abs(item.a.lower), length);
@@ -269,7 +273,7 @@ private:
             {in_domain(a_, nearest.at_a), in_domain(b_, nearest.at_b), a, b.lower, b.upper, kind});
         result_.complete = result_.complete && kind != HitKind::undecided;
     }
-    // Beginning in the domain, and no longer than a period.
+    // Moved to begin in the domain, and no longer than a period.
     static Interval range(const Spline &curve, Interval part) noexcept {
         const double period = period_of(curve), by = shift_of(curve, part.lower);
         const bool whole = period > 0 && part.upper - part.lower >= period;
@@ -280,12 +284,12 @@ private:
     Breaks breaks_a_, breaks_b_;
     int dim_;
     double tolerance_, noise_ = 0;
-    bool closes_ = false; // and meets itself
+    bool closes_ = false; // the curve closes, and is searched for self-intersections
     NearSearch search_;
     PairHits result_;
 };
 
-// A place at the seam is at both ends of a period: of (s, end) and (start, s) the second stays.
+// A place at the seam occurs at both ends of a period: of (s, end) and (start, s) the second one stays.
 void drop_repeated(const Spline &curve, std::vector<PairHit> &list) {
     const Interval domain = curve.axis(0).domain();
     std::vector<PairHit> at_start;

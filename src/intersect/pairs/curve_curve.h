@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where two curves meet.
+// Intersections of two curves, and self-intersections.
 #pragma once
 
 #include "intersect/hits.h"
@@ -7,7 +7,8 @@
 
 namespace nrb::intersect {
 
-// On two curves. The range of b begins where that of a does: it falls where an overlap runs against b.
+// A solution on two curves. from_b corresponds to the lower end of range_a, so that from_b > to_b where an
+// overlap runs against b.
 struct PairHit {
     double a, b;
     Interval range_a;
@@ -16,18 +17,18 @@ struct PairHit {
 };
 
 struct PairHits {
-    std::vector<PairHit> list; // a rising
+    std::vector<PairHit> list; // ascending in a
     bool complete = true;
 };
 
-// All places where the curves are within the tolerance of each other. Parts that are as near as that and hang
-// together are overlaps (overlap_of()), or else what exact arithmetic may have in them: meets proven by charts,
-// touches as far as rounding can tell, and, in the plane, crossings where a changes its side; if it can have
-// nothing, they are a contact. Throws Status::dimension, incompatible.
+// All places where the curves are within the tolerance of each other. Connected parts that are as near as
+// that are overlaps (overlap_of()), or else they yield what exact arithmetic may find in them: intersections
+// proven by charts, touches as far as rounding can tell, and in the plane, crossings where a changes to the
+// other side of b. If it can find nothing, they are a contact. Throws Status::dimension, incompatible.
 PairHits curve_curve(const Spline &a, const Spline &b, double tolerance);
 
-// Where a curve meets itself, at a < b. Two places that stay within the tolerance on the way from one to the other
-// along the curve are none, nor are the ends of a curve that closes.
+// The self-intersections of a curve, with a < b. Two places do not count if the curve between them stays
+// within the tolerance, nor do the ends of a closed curve.
 PairHits curve_itself(const Spline &curve, double tolerance);
 
 } // namespace nrb::intersect

@@ -15,7 +15,7 @@ void JointRange::add(const JointRange &other) noexcept {
     turns_back = turns_back || other.turns_back;
 }
 
-// A curve with itself turns back where it follows itself.
+// Cells that are not tiny (simple, fold) are where a curve follows itself, and so turns back.
 Joint::Joint(std::span<const NearCell> cells, const NearGroup &group, double period_a, double period_b,
              bool both_ways) {
     for (const auto &[cell, turns] : group.members) {

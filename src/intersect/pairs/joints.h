@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiny cells beside each other, between stretches along which two curves run beside each other.
+// Clusters of tiny cells between stretches along which two curves run side by side.
 #pragma once
 
 #include "intersect/pairs/links.h"
@@ -10,7 +10,7 @@
 
 namespace nrb::intersect {
 
-// How far some cells go on both curves, and whether a stretch turns back in one of them.
+// How far some cells extend on both curves, and whether a stretch turns back in one of them.
 struct JointRange {
     Interval a{0, 0}, b{0, 0};
     bool turns_back = false;
@@ -19,15 +19,15 @@ struct JointRange {
     void add(const JointRange &other) noexcept;
 };
 
-// All cells of one group, where their turns bring them. As there may be many cells, and many stretches that end at
-// them, what is beyond a place is summed up once.
+// All cells of one group, moved to where their turns bring them. There may be many cells, and many stretches
+// that end at them, so the extents beyond each place are accumulated once.
 class Joint {
 public:
     // both_ways: stretches of both directions end here.
     Joint(std::span<const NearCell> cells, const NearGroup &group, double period_a, double period_b,
           bool both_ways);
 
-    // Of the cells that do not begin before a place on the first curve, or do not end after it.
+    // For the cells that begin at a place on the first curve or later, or that end there or earlier.
     [[nodiscard]] JointRange from(double a) const noexcept;
     [[nodiscard]] JointRange until(double a) const noexcept;
 

@@ -23,7 +23,7 @@ Interval parameters(const BezierPiece &piece, Interval places) noexcept {
             piece.parameter({std::clamp(places.upper, 0.0, 1.0)})[0]};
 }
 
-// An end that rounding has left.
+// Moves a place within rounding of an end to that end.
 double settled(double place) noexcept {
     return place < eps ? 0 : place > 1 - eps ? 1 : place;
 }
@@ -53,7 +53,7 @@ Judge::Verdict Judge::look(const pieces::SlopedPiece &a, const pieces::SlopedPie
     return by_tangents();
 }
 
-// If what is near may be all along the pieces, they may as well run beside each other.
+// If near places may extend all along the pieces, by_tangents() is tried first: they may run side by side.
 Judge::Verdict Judge::by_chart() {
     if (chart_.excludes(piece_a(), piece_b(), near_)) {
         return Verdict::nothing;
@@ -91,8 +91,8 @@ Judge::Verdict Judge::by_chart() {
     return Verdict::cell;
 }
 
-// Near places of pieces that run beside each other are those near their matched parts; of pieces that end where
-// the other one begins they are around that place alone. Charts of their halves do better for others.
+// Near places of pieces that run side by side are near their matched parts. If one piece ends where the other
+// begins, they are around that place only. For other pieces charts of their halves do better.
 Judge::Verdict Judge::by_tangents() {
     const double nearly_parallel = dim_ == 2 ? 0.03 : 1e-3;
     beside_.set(piece_a(), *a_.slopes, piece_b(), *b_.slopes);
@@ -157,12 +157,12 @@ void Judge::descend_from(const Beside::Places &room) {
     descend();
 }
 
-// Farther than near, for certain.
+// Whether the distance certainly exceeds `near`.
 bool Judge::is_apart() {
     return place_.distance > near_ && bound_.lower(piece_a(), piece_b(), place_, near_) > near_;
 }
 
-// In the plane: by lines along both chords.
+// In the plane: whether a line along one of the chords separates the pieces.
 bool Judge::separated() const noexcept {
     if (dim_ != 2) {
         return false;
@@ -178,7 +178,7 @@ bool Judge::separated() const noexcept {
     return false;
 }
 
-// By a plane between them: b is farther along the normal.
+// Whether a plane separates the pieces, with b farther along the normal.
 bool Judge::separated_by(const double *normal, double length) const noexcept {
     const Interval of_a = extent_along(piece_a(), normal), of_b = extent_along(piece_b(), normal);
     return of_b.lower - of_a.upper >
@@ -199,12 +199,12 @@ void Judge::approach() {
     place_.a[0] = z[0];
     place_.b[0] = z[1];
     place_.distance = norm(difference_.data(), dim_);
-    if (place_.distance > noise_ && place_.distance < 16 * near_) { // it is not where they meet
+    if (place_.distance > noise_ && place_.distance < 16 * near_) { // not an intersection
         descend();
     }
 }
 
-// Of least squares.
+// The Gauss-Newton step.
 Place<2> Judge::newton_step() const noexcept {
     const double *u = point_a_.derivative(), *v = point_b_.derivative(), *f = difference_.data();
     const double uu = dot(u, u, dim_), vv = dot(v, v, dim_), uv = dot(u, v, dim_), uf = dot(u, f, dim_),
@@ -228,7 +228,7 @@ void Judge::descend() {
 }
 
 void Judge::set_cell(NearCell::Kind kind, Interval a, Interval b) {
-    constexpr double room = 16 * eps; // places are rounded
+    constexpr double room = 16 * eps; // for the rounding of places
     cell_ = {};
     cell_.kind = kind;
     cell_.a = parameters(piece_a(), {a.lower - room, a.upper + room});

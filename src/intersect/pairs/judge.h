@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What two pieces of curves have near each other, if that can be told without halving them.
+// Decides what two curve pieces have near each other, if that is possible without halving them.
 #pragma once
 
 #include "closest/pair/pair_bound.h"
@@ -11,18 +11,19 @@
 
 namespace nrb::intersect {
 
-// Near is what is within `near` of each other, and `noise` what rounding leaves open of a distance. Cells may hold
-// what is farther apart by slack(), because bounds from below are no sharper.
+// Places are near if they are within `near` of each other; `noise` is the uncertainty of a distance due to
+// rounding. Cells may hold places that are farther apart, by up to slack(), because lower bounds are no
+// sharper.
 class Judge {
 public:
     enum class Verdict {
-        nothing, // is near
-        cell,    // what is near is in cell()
+        nothing, // nothing is near
+        cell,    // all near places are in cell()
         open,
     };
     Verdict look(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near, double noise);
 
-    // Of pieces that are not halved any more: nothing, or a cell.
+    // For pieces that are not halved any more: nothing, or a cell.
     Verdict look_at_tiny(const pieces::SlopedPiece &a, const pieces::SlopedPiece &b, double near,
                          double noise);
 
@@ -51,9 +52,9 @@ private:
     pieces::SlopedPiece a_{}, b_{};
     int dim_ = 0;
     double near_ = 0, noise_ = 0;
-    bool compared_ = false; // matched_ is of these pieces
+    bool compared_ = false; // matched_ belongs to these pieces
     NearCell cell_{};
-    closest::PairPlace place_; // the nearest that was found
+    closest::PairPlace place_; // the nearest places found
     std::vector<double> difference_;
     Chart chart_;
     Beside beside_;

@@ -15,20 +15,21 @@ namespace {
 // The seam of a periodic curve.
 struct Seam {
     Interval domain;
-    bool open; // cells go on across it
+    bool open; // cells continue across it
 
     explicit Seam(const Spline &curve)
         : domain(curve.axis(0).domain()), open(curve.axis(0).periodic() && closes(curve)) {}
     [[nodiscard]] double period() const noexcept { return domain.upper - domain.lower; }
 };
 
-// Parts of b that wait for others to touch them, by their lower ends, those of about one width together: so that a
-// search looks at no more of them than it finds, but for a factor.
+// Parts of b that wait for others to touch them. They are sorted by their lower ends, in one class for each
+// width up to a factor of 2, so that a search looks at no more of them than it finds, up to a constant
+// factor.
 class Waiting {
 public:
     void add(Interval part, size_t cell) { by_width_[width_class(part)].emplace(part.lower, cell); }
 
-    // visit(cell) of all that may touch a part; those for which it returns false wait no longer.
+    // Calls visit(cell) for all that may touch a part; those for which it returns false are removed.
     template <class Visit>
     void look(Interval part, Visit &&visit) {
         for (auto &[width, cells] : by_width_) {
@@ -52,6 +53,7 @@ private:
     std::map<int, std::multimap<double, size_t>> by_width_;
 };
 
+// A sweep along a.
 class Sweep {
 public:
     Sweep(const Spline &a, const Spline &b, std::span<const NearCell> cells) : a_(a), b_(b), cells_(cells) {}
@@ -91,8 +93,8 @@ private:
         return turned(cells_[place.cell].a, place.turn, a_.period());
     }
 
-    // Cells before it that it touches if it is moved by so many periods of b. Those that end before it touch
-    // nothing any more.
+    // Links a cell, moved by `turn` periods of b, to the earlier cells that it touches. Cells that end before
+    // it touch no later one and are removed.
     void look_back(const Place &place, int turn) {
         const NearCell &cell = cells_[place.cell];
         const Interval on_b = turned(cell.b, turn, b_.period());
@@ -119,7 +121,7 @@ private:
     std::vector<Link> links_;
 };
 
-// Links from both ends, by cells.
+// The links of each cell, in both directions.
 class Neighbours {
 public:
     Neighbours(size_t cells, std::span<const Link> links, const std::function<bool(const Link &)> &counts)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which parts of two curves touch each other on both.
+// Which parts of two curves adjoin each other on both curves.
 #pragma once
 
 #include "intersect/pairs/near_cells.h"
@@ -10,30 +10,30 @@
 
 namespace nrb::intersect {
 
-// How many periods of both curves a part is moved by.
+// The numbers of periods by which a part is moved on both curves.
 struct Turns {
     int a = 0, b = 0;
 };
 
-// Cell `to`, moved, touches cell `from`.
+// Cell `to`, moved by the turns, touches cell `from`.
 struct Link {
     size_t from, to;
     Turns turns;
 };
 
-// All of them, across the seams of periodic curves too, but not across jumps.
+// All links, also across the seams of periodic curves, but not across jumps.
 std::vector<Link> links_of(const Spline &a, const Spline &b, std::span<const NearCell> cells);
 
-// Cells that hang together.
+// A connected component of cells.
 struct NearGroup {
     struct Member {
         size_t cell;
-        Turns turns; // which bring it to the first one
+        Turns turns; // which move it to where it adjoins the others
     };
     std::vector<Member> members;
 };
 
-// The groups that links make, in the order of their first cells.
+// The connected components by the links that count, in the order of their first cells.
 std::vector<NearGroup> groups_of(size_t cells, std::span<const Link> links,
                                  const std::function<bool(const Link &)> &counts);
 

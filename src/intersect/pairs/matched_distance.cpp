@@ -14,7 +14,7 @@ namespace nrb::intersect {
 
 namespace {
 
-// By which u(r) = f r / (1 - r + f r) is `image` at r.
+// The factor f for which u(r) = f r / (1 - r + f r) is `image` at r.
 double factor_of(double r, double image) noexcept {
     constexpr double most = 16;
     const double factor = image * (1 - r) / ((1 - image) * r);
@@ -27,7 +27,7 @@ double share(Interval part, double at) noexcept {
 
 } // namespace
 
-// Over falling places the coefficients run backwards.
+// If the places descend, the coefficients are reversed.
 void MatchedDistance::set_part(const pieces::BezierPiece &piece, Interval places, Part &part) {
     const int p = piece.degree(0), dim = piece.dim();
     const auto size = static_cast<size_t>(p) + 1, width = static_cast<size_t>(dim);
@@ -56,8 +56,8 @@ void MatchedDistance::set_part(const pieces::BezierPiece &piece, Interval places
     }
 }
 
-// Each of 2 p means moves a point by 3 / 2 eps of its distance from the centre, at most; sums of products of positive
-// weights are as exact as their factors.
+// Each of the 2 p means moves a point by at most 3 / 2 eps of its distance from the centre. Sums of products
+// of positive weights are as exact as their factors.
 void MatchedDistance::set(const pieces::BezierPiece &a, const pieces::BezierPiece &b,
                           const Beside::Match &match) {
     const int p = a.degree(0), q = b.degree(0);
@@ -96,8 +96,8 @@ void MatchedDistance::set(const pieces::BezierPiece &a, const pieces::BezierPiec
         a.moved() + b.moved();
 }
 
-// Of graphs with slopes of at most m, a point of one that is D above the other one is D / sqrt(1 + m^2) away from it,
-// also where one of them has ended by less than that.
+// Of two graphs with slopes of at most m, a point D above the other graph is D / sqrt(1 + m^2) away from it,
+// also if the other graph ends within less than that.
 bool MatchedDistance::separates(const Beside &beside, double near) const noexcept {
     const double *d = beside.vector();
     const Interval slopes = beside.slopes_of_b(), others = beside.slopes_of_a();

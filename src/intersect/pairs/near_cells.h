@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of two curves that come near each other.
+// Cells: the parts of two curves that come near each other.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -13,33 +13,33 @@ struct PairCell;
 
 namespace nrb::intersect {
 
-// Parameters of parts of both curves. All places of the parts that are near each other are here.
+// Ranges of parameters on both curves. All places of these parts that are near each other lie in them.
 struct NearCell {
     enum class Kind {
-        meets,   // once, for certain, inside of both
-        touches, // near, in one place at most
-        along,   // the one is near the other all along
-        tiny,    // no larger than what near means
+        meets,   // exactly once, for certain, in the interior of both
+        touches, // near, in at most one place
+        along,   // one is near the other all along
+        tiny,    // no larger than the distance that counts as near
         unknown, // nothing is known
-        // Of a curve with itself: parts that are one or follow each other
-        simple, // and do not meet but where they are joined
-        fold,   // as above, if that can be told, but too small for it
+        // Of a curve with itself: parts that coincide or follow each other
+        simple, // and do not meet except where they are joined
+        fold,   // too small to tell whether they are simple
     };
     Kind kind;
     Interval a, b;     // where they may be near
     double at_a, at_b; // the nearest places found
     double gap = 0;    // their distance
-    // Where exact arithmetic may have distance 0; of `along` the matched ends, which on b may fall.
+    // Where exact arithmetic may find distance 0; for `along` the matched ends, which may descend on b.
     Interval core_a{}, core_b{};
-    // Of `along`: how far from matched places what is near may be.
+    // For `along`: how far near places may be from the matched ones.
     double reach_a = 0, reach_b = 0;
-    // Of `along`: 1, or -1 if b runs against a; of others in the plane: the sign of A' x B'.
+    // For `along`: 1, or -1 if b runs against a. For others in the plane: the sign of A' x B'.
     int turn = 0;
-    bool still = false;   // one of them is a point all along
+    bool still = false;   // one of the curves is a point all along
     bool meetable = true; // false: they are proven apart by more than rounding
-    // The parts, which jumps of the curves are not in.
+    // The segments between jumps in which the parts lie.
     int64_t segment_a = 0, segment_b = 0;
-    size_t index = 0; // of a cell of an item: in the list that it is of
+    size_t index = 0; // of a cell of an item: its index in the list of all cells
     closest::PairCell *of_a = nullptr, *of_b = nullptr;
 };
 

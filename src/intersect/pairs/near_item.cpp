@@ -32,7 +32,7 @@ bool is_control_point(const Spline &curve, double t) noexcept {
     return multiplicity(axis.knots(), in_domain(curve, t)) >= axis.degree();
 }
 
-// From one side or the other.
+// Whether some limits of both curves, from one side or the other, are exactly the same point.
 bool share_point(const Spline &a, double at_a, const Spline &b, double at_b) {
     for (const bool left : {false, true}) {
         const std::vector<double> point = eval::curve_point(a, in_domain(a, at_a), left);
@@ -45,7 +45,7 @@ bool share_point(const Spline &a, double at_a, const Spline &b, double at_b) {
     return false;
 }
 
-// Of the ends of a range from a place in it.
+// The larger distance of the two ends of a range from a place in it.
 double width_of(const Spline &curve, Interval range, double at) {
     const std::vector<double> middle = eval::curve_point(curve, in_domain(curve, at), false);
     const auto away = [&](double t, bool left) {

@@ -14,16 +14,16 @@ namespace nrb::intersect {
 
 namespace {
 
-// Of pieces with weights of no certain sign, about which nothing else is known.
+// For pieces whose weights have no certain sign, so that nothing else is known about them.
 constexpr int most_halvings = 16;
-// Of the halves of a piece: their memory counts as well, since they are kept.
+// For the halves of a piece: their memory counts as well, since they are kept.
 constexpr int64_t work_of_halves = 4000;
 
 bool is_certain(const closest::PairCell &cell) noexcept {
     return cell.piece && cell.piece->positive();
 }
 
-// Precondition: it is a piece.
+// Precondition: the cell is a piece.
 Interval range_of(const closest::PairCell &cell) noexcept {
     return {cell.piece->parameter({0.0})[0], cell.piece->parameter({1.0})[0]};
 }
@@ -99,10 +99,11 @@ bool NearSearch::is_apart(const Pair &pair) const noexcept {
     return apart && !is_seam(a, b);
 }
 
-// Parts that are one, or overlap, or follow each other, are near in any case: what they hold is told by their halves.
+// Parts that coincide, overlap or follow each other are near in any case: only their halves can tell what
+// they hold.
 bool NearSearch::is_decided_by_order(const Pair &pair) {
     if (range_of(*pair.b).upper <= range_of(*pair.a).lower) {
-        return true; // as (b, a)
+        return true; // found as (b, a)
     }
     if (is_apart(pair)) {
         return false;
@@ -110,7 +111,7 @@ bool NearSearch::is_decided_by_order(const Pair &pair) {
     if (!is_certain(*pair.a) || !is_certain(*pair.b) || !is_simple(pair)) {
         divide(pair);
     } else if (std::min(pair.a->size, pair.b->size) <= 64 * near()) {
-        add_joined(pair, NearCell::Kind::simple); // what comes before may be near what comes after
+        add_joined(pair, NearCell::Kind::simple); // parts before them may be near parts after them
     }
     return true;
 }
@@ -119,8 +120,9 @@ bool NearSearch::is_seam(Interval a, Interval b) const noexcept {
     return closed_ && a.lower == domain_a_.lower && b.upper == domain_a_.upper;
 }
 
-// Whether the derivative has no zero along a vector, so that the parts together do not meet themselves; with a
-// tolerance, nowhere so small that places within it are farther apart along the curve than a few times that.
+// Whether the derivatives have no zero along a common vector, so that the parts together do not intersect
+// themselves. With a tolerance, they must be nowhere so small that places within it of each other are farther
+// apart along the curve than a few times the tolerance.
 bool NearSearch::is_simple(const Pair &pair) {
     const pieces::Slopes &a = *sloped(*pair.a).slopes, &b = *sloped(*pair.b).slopes;
     const double of_a = norm(a.mean(), dim_), of_b = norm(b.mean(), dim_);
@@ -192,7 +194,7 @@ void NearSearch::add_unknown(const Pair &pair) {
 }
 
 void NearSearch::divide(const Pair &pair) {
-    // Groups go before pieces.
+    // Groups of pieces are divided before pieces.
     const auto rank = [](const PairCell &cell) { return cell.piece ? cell.size : cell.size + 1e3; };
     const bool first = rank(*pair.a) >= rank(*pair.b);
     const PairCell &larger = first ? *pair.a : *pair.b;
@@ -210,7 +212,7 @@ void NearSearch::divide(const Pair &pair) {
     }
 }
 
-// Later parts below, so that those that come first are looked at first.
+// Later parts are pushed first, so that earlier ones are looked at first.
 bool NearSearch::divide(const Pair &pair, bool first) {
     PairCell &cell = first ? *pair.a : *pair.b;
     const bool is_new = cell.children.empty();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the parts of two curves that come near each other.
+// A subdivision search for the parts of two curves that come near each other.
 #pragma once
 
 #include "closest/pair/pair_cells.h"
@@ -11,22 +11,22 @@
 
 namespace nrb::intersect {
 
-// Pairs of cells of the trees of both curves, down to parts for which charts, bounds from below or matched points
-// decide. A search keeps its trees, so that finer ones go on where it ended.
-// Of a curve and itself: what comes later with what comes before, but for parts that are proven to be simple.
+// Looks at pairs of cells of the trees of both curves, down to parts for which charts, lower bounds or
+// matched points decide. A search keeps its trees, so that a finer one continues where it ended. Of a curve
+// with itself it pairs later parts with earlier ones, except for parts that are proven to be simple.
 class NearSearch {
 public:
     NearSearch(const Spline &a, const Spline &b);
     explicit NearSearch(const Spline &curve);
 
-    // All that is within the tolerance, or within the noise, of each other.
+    // All parts within the tolerance, or within the noise, of each other.
     NearCells find(double tolerance);
     // What is as near as rounding can tell, in the parts of some cells.
     NearCells refine(std::span<const NearCell> cells);
 
-    // About half of the largest side of the box of both curves.
+    // About half of the longest side of the common box of both curves.
     [[nodiscard]] double size() const noexcept { return frame_.unscaled(1); }
-    // What rounding leaves open of a distance.
+    // The uncertainty of a distance due to rounding.
     [[nodiscard]] double noise() const noexcept { return frame_.unscaled(framed_noise()); }
 
 private:
@@ -34,7 +34,7 @@ private:
     struct Pair {
         PairCell *a, *b;
     };
-    // Parameters between which a curve jumps.
+    // The parameters at which a curve jumps.
     using Jumps = std::vector<double>;
 
     NearCells run();
@@ -58,11 +58,11 @@ private:
     Interval domain_a_, domain_b_;
     Jumps jumps_a_, jumps_b_;
     int degrees_, dim_;
-    bool with_itself_ = false, closed_ = false; // the curve ends where it begins
+    bool with_itself_ = false, closed_ = false; // closed_: the curve ends where it begins
     double tolerance_ = 0;
     std::vector<Pair> stack_;
     std::vector<double> direction_;
-    std::deque<pieces::Slopes> slopes_; // by marks of cells
+    std::deque<pieces::Slopes> slopes_; // indexed by the marks of cells
     Judge judge_;
     NearCells result_;
 };

@@ -10,7 +10,7 @@
 
 namespace nrb::intersect {
 
-// The length of a period; 0: there is none.
+// The length of a period; 0 if there is none.
 inline double period_of(const KnotVector &axis) noexcept {
     const Interval domain = axis.domain();
     return axis.periodic() ? domain.upper - domain.lower : 0;
@@ -19,7 +19,7 @@ inline double period_of(const Spline &curve) noexcept {
     return period_of(curve.axis(0));
 }
 
-// What brings a parameter, moved by periods, into the domain.
+// The multiple of the period that moves a parameter into the domain.
 inline double shift_of(const KnotVector &axis, double t) noexcept {
     const Interval domain = axis.domain();
     const double period = period_of(axis);
@@ -42,11 +42,11 @@ inline Interval turned(Interval part, int turns, double period) noexcept {
     return {part.lower + turns * period, part.upper + turns * period};
 }
 
-// As far as rounding can tell, of points of something so large.
+// Whether two points agree as far as rounding can tell. size: that of the shape to which they belong.
 bool are_one_point(const double *x, const double *y, int dim, double size) noexcept;
 
-// Knots of the domain at which the limits from both sides differ by more than rounding; at the seam of a periodic
-// curve those at both ends of the domain.
+// The knots in the domain at which the limits from both sides differ by more than rounding. If a periodic
+// curve jumps at its seam, these include both ends of the domain.
 std::vector<double> jumps_of(const Spline &curve);
 
 // Whether a curve ends where it begins.

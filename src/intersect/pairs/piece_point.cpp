@@ -5,8 +5,8 @@
 
 namespace nrb::intersect {
 
-// The last step but one of de Casteljau's algorithm has both: the value between two records, and the derivative
-// as their difference times the degree.
+// The last level but one of de Casteljau's algorithm yields both: the value between two records, and the
+// derivative as their difference times the degree.
 void PiecePoint::evaluate(const pieces::BezierPiece &piece, double place) {
     const int p = piece.degree(0), dim = piece.dim(), width = dim + 1;
     records_.assign(piece.record(0), piece.record(p + 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and derivatives of Bezier pieces of curves, with memory that is used again.
+// Points and derivatives of Bezier curve pieces, with memory that is reused.
 #pragma once
 
 #include "pieces/bezier_piece.h"
@@ -14,7 +14,7 @@ public:
     void evaluate(const pieces::BezierPiece &piece, double place);
 
     [[nodiscard]] const double *value() const noexcept { return value_.data(); }
-    // With respect to the place.
+    // With respect to the local parameter.
     [[nodiscard]] const double *derivative() const noexcept { return derivative_.data(); }
 
 private:

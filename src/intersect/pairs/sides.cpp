@@ -14,7 +14,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// The foot of a perpendicular tells the side; the end of b and a corner do not, nor a foot that is elsewhere.
+// The foot point of a perpendicular determines the side. An end or a corner of b does not, nor does a foot
+// point that is farther than `reach` from the guess.
 int side_of(const Spline &b, const double *point, double guess, double reach, double noise) {
     const double start = in_domain(b, guess);
     const closest::Foot foot = closest::locator_of(b).local(point, &start);

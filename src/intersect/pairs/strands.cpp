@@ -10,15 +10,16 @@ namespace nrb::intersect {
 
 namespace {
 
-// A cell, moved to where its strand is.
+// A cell, moved to the position of its strand.
 struct Placed {
     size_t cell;
     Interval a;
     double from_b, to_b;
-    Strand::End first{}, last{}; // of a chain
+    Strand::End first{}, last{}; // of a chain, at its first and last cell
 };
 
-// What comes after each cell: where its matched parts end, those of another one begin.
+// Chains of cells along which the curves run side by side: one cell follows another if its matched parts
+// begin where those of the other end.
 class Chains {
 public:
     Chains(const Spline &a, const Spline &b, std::span<const NearCell> cells, std::span<const Link> links)
@@ -33,7 +34,7 @@ public:
         bridge(links);
     }
 
-    // Each one from its first cell on; those that close from any.
+    // Each chain from its first cell; a closed one from any cell.
     std::vector<std::vector<Placed>> run() {
         std::vector<std::vector<Placed>> chains;
         std::vector<bool> seen(cells_.size(), false);
@@ -77,11 +78,12 @@ private:
         has_last_[second] = true;
     }
 
-    // Where a curve all but stands still there are tiny cells between what comes before and what goes on.
+    // Where a curve almost stands still there are tiny cells between a stretch and its continuation: joins
+    // them.
     void bridge(std::span<const Link> links) {
         const auto joins_tiny = [this](const Link &link) { return is_tiny(link.from) && is_tiny(link.to); };
         const std::vector<NearGroup> clusters = groups_of(cells_.size(), links, joins_tiny);
-        std::vector<std::pair<size_t, Turns>> place(cells_.size()); // of tiny cells: the cluster
+        std::vector<std::pair<size_t, Turns>> place(cells_.size()); // of tiny cells: their cluster
         for (size_t i = 0; i < clusters.size(); ++i) {
             for (const NearGroup::Member &member : clusters[i].members) {
                 place[member.cell] = {i, member.turns};
@@ -126,8 +128,8 @@ private:
                      {second.turns.a - first.turns.a, second.turns.b - first.turns.b});
         }
     }
-    // Stretches that end at tiny cells go on to the end of these; if one runs the other way from there, or the curve
-    // follows itself, it turns back.
+    // Stretches that end at tiny cells are extended to the end of these. If another one runs the other way
+    // from there, or the curve follows itself, they turn back.
     void end_at_joints(const NearGroup &cluster, const std::vector<NearGroup::Member> &ends) {
         const auto runs = [&](int turn) {
             return std::ranges::any_of(
@@ -141,7 +143,7 @@ private:
         }
         joints_.emplace_back(cells_, cluster, period_a_, period_b_, runs(1) && runs(-1));
     }
-    // The end of a chain at a cell moved by so many periods: its last one, or its first.
+    // The end of a chain at its last cell, or at its first one, which is moved by the turns.
     [[nodiscard]] Strand::End end_of(const Placed &at, Turns turns, bool last) const {
         Strand::End end = last ? Strand::End{at.a.upper, at.to_b} : Strand::End{at.a.lower, at.from_b};
         const double start = end.a, reach = cells_[at.cell].reach_a;
@@ -181,11 +183,11 @@ private:
     std::vector<std::optional<NearGroup::Member>> next_;
     std::vector<bool> has_last_;
     std::vector<Joint> joints_;
-    // Beside each cell: joints, and the turns that bring it to them.
+    // For each cell the joints beside it, and the turns that bring it to them.
     std::vector<std::vector<std::pair<size_t, Turns>>> beside_;
 };
 
-// Chains as strands of no more than a period.
+// Cuts chains into strands of no more than a period.
 class Cutting {
 public:
     Cutting(const Spline &a, const Spline &b)
@@ -210,7 +212,8 @@ private:
     static bool is_longer(double length, double period) noexcept {
         return period > 0 && length > period * (1 + 1e-9);
     }
-    // A whole period of a that closes, at which b has made a turn.
+    // A closed chain over a whole period of a, in which b makes one turn if it is periodic, is made to begin
+    // at the seam of a. False for other chains.
     bool begin_at_seam(std::vector<Placed> &chain) const {
         const double length = chain.back().a.upper - chain.front().a.lower;
         if (!(period_a_ > 0) || std::abs(length - period_a_) > 1e-9 * period_a_) {
@@ -296,7 +299,7 @@ bool Breaks::have_span_in(Interval range) const noexcept {
 
 std::optional<Strand> overlap_of(const Breaks &on_a, const Breaks &on_b, const Strand &given) {
     Strand strand = given;
-    // Whether it ends where a curve does; if not, it goes on over what is tiny.
+    // Whether the strand ends where a curve does; if not, it is extended over tiny cells first.
     const auto ends = [&](double &a, double &b, const Strand::End &beyond) {
         if (on_a.hold(a) || on_b.hold(b)) {
             return true;

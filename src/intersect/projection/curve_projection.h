@@ -7,16 +7,20 @@
 
 namespace nrb::intersect {
 
-// Where lines along a direction through the points of a curve meet a surface: its common points with the ruled surface of these
-// lines, (t, h) -> C(t) + h d / |d|, over the box of the surface. Branches are sheets: on each of them t rises, and where the surface
-// folds as seen along d one ends and another one begins, in two nodes of the kind fold that go on in each other. The second domain
-// is that of (t, h). Preconditions: a curve and a surface in space; d is finite and not 0; tolerance > 0, of the curves. Throws
+// Projection along a direction d: the intersection of the surface with the ruled surface
+// (t, h) -> C(t) + h d / |d| of the lines along d through the points of the curve C, for all h that lead into
+// the bounding box of the surface. The branches are sheets: t rises along each of them. Where the surface
+// folds as seen along d, one sheet ends and another begins, in two nodes of kind fold, each the continuation
+// of the other. The second domain of the meet is that of (t, h). Preconditions: the curve and the surface are
+// in space; d is finite and not 0; tolerance > 0, for the deviation of the resulting curves. Throws
 // Status::not_representable.
 Meet projected_along(const SplinePtr &curve, const Spline &surface, const Vector3 &direction,
                      double tolerance);
 
-// All orthogonal feet of the points of a curve on a surface: S with S - C = h n, n the unit normal, likewise in sheets, which
-// fold where C is in a centre of curvature. The second domain is that of (t, h). Throws Status::degree and not_representable.
+// Normal projection: all orthogonal feet S of the points C(t) of a curve on a surface, S - C = h n with n the
+// unit normal of the surface and h the signed distance. The branches are sheets here too; they fold where
+// C(t) is a centre of curvature of the surface at the foot. The second domain is that of (t, h). Throws
+// Status::degree and not_representable.
 Meet projected_normally(const SplinePtr &curve, const Spline &surface, double tolerance);
 
 } // namespace nrb::intersect

@@ -15,7 +15,7 @@ namespace nrb::intersect {
 
 namespace {
 
-// Clusters that are small, on the surface and on the curve.
+// A cluster is a touch if it is no larger than the tolerance on the surface and on the curve.
 class FeetTouch final : public TouchTest {
 public:
     FeetTouch(const std::array<double, 3> &speeds, double tolerance)
@@ -76,7 +76,7 @@ private:
         meet_.limited = work_ended();
         std::erase_if(found_.arcs, [&](const FeetArc &arc) { return is_at_pole(arc); });
     }
-    // Of which all is one point.
+    // Whether the arc runs along a pole of its patch, so that all of it is one point of the surface.
     static bool is_at_pole(const FeetArc &arc) noexcept {
         constexpr double near = 4 * shift_of_sides;
         const FeetCell &cell = *arc.box.patch;
@@ -119,11 +119,11 @@ private:
             const Interval &range = cell.piece().range[i % 2];
             spot.parameter[i] = range.lower * (1 - spot.place[i]) + range.upper * spot.place[i];
         }
-        spot.place[3] = 0.5; // the distance tells nothing apart
+        spot.place[3] = 0.5; // h does not take part in matching the ends of arcs
         spot.parameter[3] = fitter_.distance_at(arc, end.at);
         return spot;
     }
-    // Whether the surface may have a crease on the side.
+    // Whether the end is on a side of its patch along which the surface may have a crease.
     [[nodiscard]] bool is_at_crease(const FeetArc &arc, const GraphEnd<3> &end) const noexcept {
         const FeetCell &cell = *arc.box.patch;
         if (end.coordinate == 2 || !cell.is_border(end.coordinate, end.side)) {

@@ -13,11 +13,11 @@ namespace nrb::intersect {
 namespace {
 
 constexpr size_t most_pairs = 1 << 16;
-constexpr size_t most_deep = 1024; // pairs of one size, many times halved, of which none has a chart
+constexpr size_t most_deep = 1024; // pairs of one size, halved at least `deep` times, without a chart
 constexpr int deep = 12, hidden_deep = 6;
 constexpr int parts = 8, probes = 16; // of GraphArc
-constexpr double hidden = 32;         // in parts of rounding: what is no larger is 0 as far as can be told
-constexpr double small = 1.0 / 16;    // in parts of the tolerance: pairs around a place are one cluster
+constexpr double hidden = 32;         // times the rounding: values that are no larger may be 0
+constexpr double small = 1.0 / 16;    // of the tolerance: all pairs around one place then make one cluster
 
 int halvings_of(const FeetCell &patch, const FeetCell &span) noexcept {
     return patch.halvings() + span.halvings();
@@ -60,7 +60,7 @@ FeetParts FeetSearch::run(double tolerance) {
     return std::move(found_);
 }
 
-// Where feet fill regions all that is left is told as it is.
+// Where feet fill a region, adds all pairs that are left as clusters. Returns whether that is so.
 bool FeetSearch::settle_crowd() {
     const auto are_deep = [](const Pair &pair) {
         return !pair.graph && halvings_of(*pair.patch, *pair.span) >= deep;
@@ -144,8 +144,10 @@ void FeetSearch::look_in_chart(const Pair &pair) {
     }
 }
 
-// What runs along borders that are near is looked for farther out. It is on the side on which the zeros are that are known of it,
-// so that nothing is said of what is between there and them.
+// An arc that runs close along a side of a piece is looked for between sides that are moved outwards. Which
+// side of the original one it is on is then decided by its known zeros alone, so that nothing has to be
+// proven about the gap between them and that side: the arc is kept, or belongs to the neighbour, or is left
+// open if the zeros disagree.
 GraphVerdict FeetSearch::look_along_borders(const Sides &sides) {
     Sides moved = sides;
     for (size_t i = 0; i < 3 && finder_.near(); ++i) {
@@ -184,7 +186,8 @@ GraphVerdict FeetSearch::on_own_side(const Sides &sides, const Sides &moved) con
     return verdict;
 }
 
-// Whether both equations hold everywhere, as far as can be told, or one of them in a part that is not large.
+// Whether rounding hides both equations on all of the pair, or one of them on a pair that has been halved
+// often.
 bool FeetSearch::is_hidden(const Pair &pair) const noexcept {
     int count = 0;
     for (size_t e = 0; e < 2; ++e) {
@@ -204,7 +207,7 @@ FeetPlace FeetSearch::lengths_of(const Pair &pair) noexcept {
             pair.span->net().speeds[0] * pair.span->length(0)};
 }
 
-// Along an axis, or along another one if parts are too small.
+// Halves the part with this axis, or the other part if that one is too small.
 void FeetSearch::halve(const Pair &pair, size_t axis) {
     for (const bool of_patch : {axis < 2, axis == 2}) {
         FeetCell &cell = of_patch ? *pair.patch : *pair.span;

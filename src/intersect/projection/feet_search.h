@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the parts of a surface and of a curve in which there are feet, and the curves of these in them.
+// Finds all feet of a curve on a surface by subdivision: parts of both in which the feet are one arc, and
+// clusters in which they are not resolved.
 #pragma once
 
 #include "intersect/projection/feet/feet_chart.h"
@@ -10,7 +11,7 @@
 
 namespace nrb::intersect {
 
-// All that is in a box: along the null vector of F' from the first end to the last one.
+// All feet in a box: one arc, which runs from the first end to the second along the null vector of F'.
 struct FeetArc {
     FeetBox box;
     std::array<GraphEnd<3>, 2> ends;
@@ -18,28 +19,31 @@ struct FeetArc {
 
 struct FeetParts {
     std::vector<FeetArc> arcs;
-    std::vector<CrossCluster> clusters; // with all of the second parameter of lines
+    std::vector<CrossCluster> clusters; // ranges of (u, v, t, h), with all values of h
 };
 
-// How far points of ranges of u, v and t may be from each other at most; speeds: the largest derivatives.
+// A bound of the diameter in space of what the surface has over the ranges of u and v, and the curve over
+// that of t. speeds: bounds of the derivatives by u, v and t.
 double size_in_space(const std::array<double, 3> &speeds, const std::array<Interval, 4> &ranges) noexcept;
 
-// Groups of pieces, then pieces, then their parts, all of one size before smaller ones: a pair has no feet, has a chart in
-// which its arc is found, or one of both is halved. What is smaller than the tolerance is left as a cluster; so is what is left
-// where feet fill regions, which the number of pairs tells.
+// Breadth-first subdivision of pairs of a part of the surface and a part of the curve: first groups of
+// pieces, then pieces, then halves of them, all pairs of one size before smaller ones. A pair is excluded, or
+// has a chart (FeetChart) in which its arc is found, or one of its parts is halved. Pairs that are smaller
+// than the tolerance become clusters. So do all that are left where feet fill a region, which the growing
+// number of pairs shows.
 class FeetSearch {
 public:
     // lines: distance_lines() of the curve.
     FeetSearch(CrossGround &surface, CrossGround &lines, const Spline &curve, const pieces::Frame &frame);
 
-    // tolerance: in the frame. The cells that arcs are in last as long as the search.
+    // tolerance: in the frame. The arcs refer to cells of the search, and must not outlive it.
     FeetParts run(double tolerance);
-    // Of what was found: the largest derivatives of points by u, v and t, infinite ones if parts without any bound are left.
+    // After run(): bounds of the derivatives of points by u, v and t; infinite if parts without bounds are left.
     [[nodiscard]] const std::array<double, 3> &speeds() const noexcept { return speeds_; }
 
 private:
     using Sides = GraphArc<FeetBox, 3>::Sides;
-    // graph: of a pair that had a chart; see CrossSearch.
+    // graph: the pair comes from one that had a chart, and is not added as a cluster; see CrossSearch.
     struct Pair {
         FeetCell *patch, *span;
         bool graph = false;

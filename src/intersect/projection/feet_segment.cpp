@@ -16,12 +16,13 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int most_depth = 20, most_depth_without_proof = 6, most_segments = 4096;
-// h rises no faster than points move, but where normals turn over.
+// |h'| is no larger than the speed of the points, except where the normal flips, so that h jumps to -h. With
+// a margin.
 constexpr double most_rise = 2;
-// Of F, which is 0 there as far as is known.
+// The value of F at a foot.
 constexpr std::array<double, 2> no_value{};
 
-// F along a cubic, and h^2 - |S - C|^2, times weights.
+// The larger of the degrees of F along a cubic, and of h^2 - |S - C|^2 times the squares of both weights.
 int degree_of_samples(const std::array<int, 2> &surface, int curve) noexcept {
     const int both = surface[0] + surface[1];
     return 3 * std::max(3 * both + curve, 2 * (both + curve + 1));
@@ -96,7 +97,8 @@ void FeetFitter::fit(const FeetArc &arc, std::vector<CrossSegment> &segments) {
     fit_between(node(arc.ends[0].at), node(arc.ends[1].at), 0, segments);
 }
 
-// See CrossFitter. Of a curve that stands still the length is that of the parameter.
+// See CrossFitter::hermite(). Where the foot stands still in space, tangents are no measure of the legs:
+// these are at most half of the way in places.
 CrossSegment FeetFitter::hermite(const Node &a, const Node &b) const noexcept {
     const FeetBox &box = arc_->box;
     const Vector3 gone = box.contact_at(b.at).curve - box.contact_at(a.at).curve;
@@ -173,7 +175,7 @@ LargestOfFeet FeetFitter::largest_on(const CrossSegment &segment) {
                            samples_, on, segment.space, sampling_.data());
 }
 
-// See CrossFitter.
+// See CrossFitter::limit_to_box().
 bool FeetFitter::limit_to_box(const CrossSegment &segment, FeetPlace &off) const noexcept {
     const FeetBox &box = arc_->box;
     const size_t axis = box.chart.axis();
@@ -215,7 +217,9 @@ void FeetFitter::set_deviation(CrossSegment &segment) {
         const double h = place[1], side = segment.on[1][0][1];
         least = std::min(least, h * side > 0 ? std::abs(h) : 0);
     }
-    // | |d| - |h| | (|d| + |h|) is what is known, unless h jumps, in a segment that is as short as can be.
+    // Let d = |S - C| and e the difference of d and |h|. As |d^2 - h^2| = e (d + |h|) is at most `squares`, e
+    // is at most sqrt(squares) and at most squares / |h|. Where h jumps there is no such bound: segments are
+    // divided until they are no longer than the tolerance.
     const double rise = std::abs(segment.on[1][3][1] - segment.on[1][0][1]);
     const double of_distance = rise <= most_rise * segment.length
                                    ? std::min(std::sqrt(squares), least > 0 ? squares / least : infinity)

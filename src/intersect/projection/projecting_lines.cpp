@@ -17,7 +17,7 @@ namespace {
 
 using SpaceBox = std::array<Interval, 3>;
 
-// Of all points, however control points are weighted.
+// The bounding box of the points, not of the control points: weights need not be positive.
 SpaceBox box_of(const Spline &spline) {
     Part all{};
     for (int k = 0; k < spline.axes(); ++k) {
@@ -45,7 +45,8 @@ double size_of(const SpaceBox &box) noexcept {
     return std::hypot(box[0].upper - box[0].lower, box[1].upper - box[1].lower, box[2].upper - box[2].lower);
 }
 
-// With a margin, so that the surface does not end where the other one touches its box.
+// The range of h for which lines from the box `from` reach the box `to`. The margin keeps the end of the
+// ruled surface away from places where the other surface touches its box.
 Interval heights(const SpaceBox &from, const SpaceBox &to, const Vector3 &direction) noexcept {
     const std::array<double, 3> along{direction.x, direction.y, direction.z};
     Interval range{0, 0};
@@ -73,7 +74,8 @@ SplinePtr moved(const SplinePtr &curve, const Vector3 &direction, double height)
                        {curve->weights().begin(), curve->weights().end()});
 }
 
-// Of what the control points of a curve in a box make, each of which is rounded in a product and a sum.
+// How far the points of the ruled surface may be off, whose control points are each rounded in a product and
+// a sum. box: of the points of the curve.
 double rounding_of(const Spline &curve, const SpaceBox &box, const Interval &range) {
     const double far = std::max(std::abs(range.lower), std::abs(range.upper));
     if (curve.form() != Form::homogeneous) {

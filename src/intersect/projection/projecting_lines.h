@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ruled surface of the lines along a direction through the points of a curve.
+// The ruled surface of the lines along one direction through the points of a curve.
 #pragma once
 
 #include "numeric/vector3.h"
@@ -9,16 +9,18 @@ namespace nrb::intersect {
 
 struct ProjectingLines {
     Vector3 direction; // of length 1
-    SplinePtr
-        surface; // (t, h) -> C(t) + h direction, axis 1 over all h that may lead into the box of the other surface, and more
-    double rounding; // how far its points are from that
+    // (t, h) -> C(t) + h direction; axis 1 covers, with a margin, all h that lead into the bounding box of
+    // the other surface.
+    SplinePtr surface;
+    double rounding; // how far rounding of the control points may move its points
 };
 
-// Throws Status::not_representable. Preconditions as for projected_along().
+// Preconditions: as for projected_along(). Throws Status::not_representable.
 ProjectingLines projecting_lines(const SplinePtr &curve, const Spline &surface, const Vector3 &direction);
 
-// Lines through the points of a curve, all along one direction: (t, h) with all h that may be a distance from the other surface,
-// of either sign. Throws Status::not_representable.
+// A ruled surface over (t, h) that serves as the second domain of normal projection: the range of h covers
+// all signed distances between points of the curve and of the surface. The direction of its lines is
+// arbitrary. Throws Status::not_representable.
 SplinePtr distance_lines(const SplinePtr &curve, const Spline &surface);
 
 } // namespace nrb::intersect

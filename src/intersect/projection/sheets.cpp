@@ -31,7 +31,7 @@ Vector2 place_in_domain(const Spline &surface, const Vector2 &at) noexcept {
     return {in_domain(surface.axis(0), at[0]), in_domain(surface.axis(1), at[1])};
 }
 
-// One coordinate of a polynomial curve of the plane.
+// The first coordinate of a polynomial curve in the plane.
 SplinePtr first_coordinate(const Spline &curve) {
     std::vector<double> values;
     for (int64_t i = 0; i < curve.count(0); ++i) {
@@ -40,13 +40,13 @@ SplinePtr first_coordinate(const Spline &curve) {
     return make_result(curve.knot_vectors(), 1, Form::polynomial, std::move(values));
 }
 
-// A value of a function along a curve.
+// A parameter of a curve, and the value of a function there.
 struct Stop {
     double at, value;
 };
 
-// Where a function turns by more than what counts, given where it may; before and after: 1 or -1, how it runs at the ends, 0 if
-// no change counts.
+// The local extrema of a function by which it changes direction significantly (turns_of()). before, after:
+// its direction at both ends, 1 or -1; 0 if no change is significant.
 struct Turns {
     std::vector<double> at;
     int before = 0, after = 0;
@@ -105,7 +105,7 @@ private:
         branch.nodes[0] < 0 ? add_closed(branch, turns) : add_parts(branch, turns.at);
     }
 
-    // Where t turns in a seam both branches end there, or both begin.
+    // A seam at which both branches end, or both begin, is a turn of t: it becomes a fold.
     void turn_at_seams() {
         std::vector<int> ends(meet_.nodes.size(), -1);
         for (const MeetBranch &branch : meet_.branches) {
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    // Of the parameter of the projected curve.
+    // The turns of t along a branch.
     Turns turns_along(const MeetBranch &branch) const {
         const SplinePtr t = first_coordinate(*branch.on_second);
         const Interval domain = t->axis(0).domain();
@@ -137,7 +137,7 @@ private:
         return turns_of(std::span<const Stop>(stops),
                         [&](double a, double b) { return length_across(a, b) > 4 * branch.deviation; });
     }
-    // How far, across the direction, the curve goes between two parameters, as some points tell.
+    // How far the curve goes across the direction between two parameters, estimated from four points.
     double length_across(double a, double b) const {
         const Vector3 start = point_at(a);
         double far = 0;
@@ -165,7 +165,7 @@ private:
         }
         return part;
     }
-    // Between its ends and its turns.
+    // Adds the parts of a branch between its ends and its turns.
     void add_parts(const MeetBranch &branch, const std::vector<double> &turns) {
         const Interval domain = branch.on->axis(0).domain();
         std::vector<double> breaks{domain.lower};
@@ -182,7 +182,7 @@ private:
             add_sheet(std::move(part));
         }
     }
-    // It begins at a turn instead, if it does not yet.
+    // Moves the beginning of a closed branch to a turn, unless it is at one already.
     void add_closed(const MeetBranch &branch, const Turns &turns) {
         MeetBranch opened = branch;
         std::vector<double> at = turns.at;
@@ -190,13 +190,14 @@ private:
             const Interval domain = branch.on->axis(0).domain();
             const double first = at.front();
             opened = joined(part_of(branch, first, domain.upper), part_of(branch, domain.lower, first));
-            at.erase(at.begin()); // the others stay where they are
+            at.erase(at.begin()); // parameters of the others do not change
         }
         const int64_t fold = add_fold(opened);
         opened.nodes = {fold + 1, fold};
         add_parts(opened, at);
     }
-    // The second part begins where the first one ends, in another period if need be.
+    // The first part continued by the second one, which begins where it ends, shifted by whole periods where
+    // needed.
     MeetBranch joined(MeetBranch first, const MeetBranch &second) const {
         const double gap = std::max(gap_on(projected_.surface, *first.on, *second.on),
                                     gap_on(projected_.lines, *first.on_second, *second.on_second));
@@ -211,7 +212,7 @@ private:
                       b = point_of(surface, end_of(second, false));
         return length(a - b);
     }
-    // Of clamped cubics; `on`: the surface whose domain they are in, if any.
+    // Joins two clamped cubics. on: the surface whose domain they are in; null for curves in space.
     static SplinePtr joined_curve(const Spline &a, const Spline &b, const Spline *on) {
         std::vector<double> knots(a.axis(0).knots().begin(), a.axis(0).knots().end() - 1);
         const double start = knots.back(), lower = b.axis(0).domain().lower;
@@ -232,13 +233,14 @@ private:
         return make_result({make_knot_vector(3, std::move(knots))}, a.dim(), Form::polynomial,
                            std::move(points));
     }
-    // Whole periods.
+    // The shift by whole periods that brings `to` next to `from`.
     static double shift_between(const KnotVector &axis, double from, double to) noexcept {
         const double period = period_of(axis);
         return period > 0 ? period * std::round((from - to) / period) : 0;
     }
 
-    // Two nodes where a part ends, of which the second one is where it goes on; returns the first one.
+    // Adds two fold nodes where a part ends: the first for its end, the second, which follows it, for the
+    // beginning of the next part. Returns the first.
     int64_t add_fold(const MeetBranch &part) {
         const int64_t first = std::ssize(meet_.nodes);
         MeetNode node{

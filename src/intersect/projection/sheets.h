@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of projected curves on which the parameter of the curve rises.
+// Cuts projected curves into sheets, on which the parameter t of the curve rises.
 #pragma once
 
 #include "intersect/levels/level_meet.h"
@@ -8,13 +8,15 @@
 namespace nrb::intersect {
 
 struct ProjectedCurve {
-    const Spline &lines;      // on which branches have their second curves: (t, h) -> C(t) + h direction
-    const Vector3 &direction; // of length 1, or 0
-    const Spline &surface;    // over whose domain the first curves are
+    const Spline &lines;      // (t, h) -> C(t) + h direction: the second surface of the branches
+    const Vector3 &direction; // of length 1; 0 for normal projection
+    const Spline &surface;    // the first surface of the branches
 };
 
-// Branches cut where t turns, each of them along rising t. Turns of t along no more of the curve, across the direction if there is one, than what
-// four deviations of the branch may make are none. A closed branch with turns is cut there only.
+// Cuts branches where t has a local extremum (a turn), and directs each part along rising t. A turn does not
+// count unless t goes back over a part of the curve that is longer, across the direction if there is one,
+// than four deviations of the branch. A closed branch with turns is cut at these alone, not where its
+// parameter begins.
 Meet cut_in_sheets(Meet meet, const ProjectedCurve &projected);
 
 } // namespace nrb::intersect

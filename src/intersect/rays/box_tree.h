@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes, whatever is in them.
+// A bounding volume hierarchy: a binary tree of axis-aligned boxes, whatever is in them.
 #pragma once
 
 #include "intersect/rays/ray.h"
@@ -18,40 +18,43 @@ struct Box3 {
 
     void add(const Box3 &other) noexcept;
     void grow(double by) noexcept;
-    // Of the largest coordinate.
+    // The largest magnitude of a coordinate; 0 if that is not finite.
     [[nodiscard]] double magnitude() const noexcept;
-    // The largest side.
+    // The longest side.
     [[nodiscard]] double size() const noexcept;
-    // No point of the box is nearer.
+    // The distance of a point from the box; 0 inside.
     [[nodiscard]] double distance(const Vector3 &x) const noexcept;
     [[nodiscard]] bool meets(const Box3 &other) const noexcept;
 };
 
-// Boxes are halved at the middle one along the axis on which they are farthest apart. Children of node i are i + 1 and right(i).
+// Boxes are divided at the median of their centres, along the axis on which the centres spread farthest. The
+// children of node i are i + 1 and right(i).
 class BoxTree {
 public:
     BoxTree() = default;
     explicit BoxTree(const std::vector<Box3> &boxes);
 
     [[nodiscard]] Box3 box() const noexcept { return nodes_.empty() ? Box3{} : nodes_.front().box; }
-    // Calls visit(number, where) for the boxes that a ray meets in its range, the nearer child of a node first; limit() is the largest
-    // t that still counts, and may fall. Returns how many nodes were looked at.
+    // Calls visit(number, where) for the boxes that a ray meets in its range, at the t in `where`; of two
+    // children the nearer one comes first. limit() is the largest t that still counts, and may fall. Returns
+    // the number of nodes visited.
     template <class Limit, class Visit>
     int64_t walk(const RayQuery &query, Limit &&limit, Visit &&visit) const;
-    // The same for the boxes no farther from a point than a distance, in any order.
+    // Calls visit(number) for the boxes no farther from a point than a distance, in any order.
     template <class Visit>
     void walk_near(const Vector3 &x, double distance, Visit &&visit) const;
-    // The same by rising distance from a point, up to limit(), which may fall. Returns how many nodes were looked at.
+    // The same by ascending distance from a point, up to limit(), which may fall. Returns the number of nodes
+    // visited.
     template <class Limit, class Visit>
     int64_t walk_from(const Vector3 &x, Limit &&limit, Visit &&visit) const;
-    // And for those that meet a box.
+    // The same for the boxes that intersect a box, in any order.
     template <class Visit>
     void walk_box(const Box3 &box, Visit &&visit) const;
 
 private:
     struct Node {
         Box3 box;
-        int32_t right; // or -1 - number
+        int32_t right; // of a leaf: -1 - number
     };
     int32_t build(const std::vector<Box3> &boxes, std::vector<int32_t> &order, size_t first, size_t last);
     template <class Keep, class Visit>

@@ -14,12 +14,12 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int most_halvings = 2000; // of a ray
+constexpr int most_halvings = 2000; // per ray
 constexpr int most_curve_depth = 50;
-constexpr size_t most_waiting = 64; // the tree halves at most 2^63 pieces
+constexpr size_t most_waiting = 64; // the tree over at most 2^63 pieces is no deeper
 constexpr int64_t curve_lanes = TurnedPatches::lanes;
 
-// In the frame of the pieces.
+// A subdivision search for one ray and one curve, in the frame of the pieces.
 class CurveSearch {
 public:
     CurveSearch(const Spline &curve, const RayQuery &query, double distance)
@@ -52,9 +52,9 @@ private:
         double lower, length, moved;
         int depth;
     };
-    // Of the control points.
+    // The ranges of the control points: x and y across the ray, t along it.
     struct Ranges {
-        bool certain = true; // whether they have weights of one sign
+        bool certain = true; // whether all weights are certainly positive
         Interval x{infinity, -infinity}, y = x, t = x;
     };
 
@@ -134,7 +134,7 @@ private:
     const RayTree &tree_;
     const pieces::PieceGrid &grid_;
     PlacedRay placed_;
-    double noise_; // of pieces and the ray
+    double noise_; // rounding of the pieces and of the ray
     int degree_;
     Interval range_;
     double distance_;

@@ -8,14 +8,15 @@
 namespace nrb::intersect {
 
 struct CurvePassage {
-    Interval ts{infinity, -infinity}; // lower > upper: they do not come near
-    double param = 0;                 // of the curve, about where
+    Interval ts{infinity, -infinity}; // lower > upper: the ray does not come near
+    double param = 0;                 // of the curve, about where the ray first comes near
 
     [[nodiscard]] bool there() const noexcept { return ts.lower <= ts.upper; }
 };
 
-// The t, of those that count, outside of which it is proven that the ray comes no nearer to the curve than the distance.
-// Precondition: a curve in space.
+// Bounds on the t at which the ray may be as near to the curve as the distance; outside of them it is proven
+// to be farther away. Points of the curve whose foot points on the ray are outside of the query's range need
+// not be counted. Precondition: a curve in space.
 CurvePassage passage_near(const Spline &curve, const RayQuery &query, double distance);
 
 } // namespace nrb::intersect

@@ -5,7 +5,8 @@
 
 namespace nrb::intersect {
 
-// What that rounds moves the ray, and what the query allows does: the nearer to its origin, the less its direction counts.
+// `moved` bounds the rounding in moving the origin, and the errors that the query allows. That of the
+// direction counts in proportion to the distance from the origin of the query.
 PlacedRay::PlacedRay(const pieces::PieceGrid &grid, const RayQuery &query) {
     factor = times_power_of_two(grid.scaled(length(scaled_to_one(query.direction))),
                                 size_exponent(query.direction));
@@ -20,8 +21,8 @@ PlacedRay::PlacedRay(const pieces::PieceGrid &grid, const RayQuery &query) {
             (query.off > 0 || query.turned > 0 ? grid.scaled(query.off) + query.turned * far : 0);
 }
 
-// Turning takes three products and two sums for each coordinate, evaluation some for each degree: of the distance from the
-// origin.
+// Turning takes three products and two sums for each coordinate, and evaluation some operations for each
+// degree; their errors are relative to the distance from the origin.
 double PlacedRay::room(const pieces::PieceGrid &grid) const noexcept {
     const double far = length(ray.origin) + grid.radius();
     return 1.01 * grid.moved() + (16 * eps + 4 * grid.value_error()) * far + moved;

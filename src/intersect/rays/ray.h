@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays, and where they are in boxes.
+// Rays, and the slab test for boxes.
 #pragma once
 
 #include "base/numbers.h"
@@ -14,18 +14,19 @@
 
 namespace nrb::intersect {
 
-// A ray as it is asked for: x = origin + t direction, for t in the range. What it was moved by may have rounded it.
+// A ray as the caller gives it: x = origin + t direction, for t in the range. If it was moved to another
+// place, off and turned bound the rounding of that.
 struct RayQuery {
     Vector3 origin, direction;
     Interval range{0, infinity};
-    double off = 0;    // how far the origin may be from the one that is meant
-    double turned = 0; // and the direction, relative to its length
+    double off = 0;    // a bound on the distance of the origin from the exact one
+    double turned = 0; // the same for the direction, relative to its length
 };
 
 // A line x = origin + t direction.
 struct Ray {
     Vector3 origin, direction;
-    std::array<double, 3> start{}, inverse{}; // the origin, and 1 / direction
+    std::array<double, 3> start{}, inverse{}; // coordinates of the origin, and of 1 / direction
 
     Ray() = default;
     Ray(const Vector3 &from, const Vector3 &along) noexcept
@@ -33,23 +34,25 @@ struct Ray {
           direction(along), start{from.x, from.y, from.z}, inverse{1 / along.x, 1 / along.y, 1 / along.z} {}
 };
 
-// In the frame of pieces, where directions are unit vectors and origins are moved along the ray to where it is nearest to
-// the centre. t of the frame is (t of the query) factor - start.
+// A ray in the frame of pieces. The direction is a unit vector, and the origin is moved along the ray to the
+// point nearest to the centre of the frame. The t in the frame is factor (t of the query) - start.
 struct PlacedRay {
     Ray ray;
     double factor = 1, start = 0;
-    double moved = 0; // how far it may be from the ray that is meant, at the pieces
+    double moved = 0; // a bound on its distance from the exact ray, near the pieces
 
     PlacedRay() = default;
     PlacedRay(const pieces::PieceGrid &grid, const RayQuery &query);
     [[nodiscard]] double in_frame(double t) const noexcept { return std::isinf(t) ? t : t * factor - start; }
     [[nodiscard]] double of_query(double t) const noexcept { return (t + start) / factor; }
-    // How far rounding moves the pieces, once they are turned, and the ray in all.
+    // A bound on the rounding in all: of the pieces, which are turned into the system of the ray, and of the
+    // ray.
     [[nodiscard]] double room(const pieces::PieceGrid &grid) const noexcept;
 };
 
-// Where a ray is in a box, at most `room` larger; lower > upper: nowhere. Where the direction has no component along an
-// axis, the inverse is infinite, and the ray is between both sides all along or nowhere.
+// The slab test: where a ray is inside a box that is enlarged by `room`; lower > upper: nowhere. Where the
+// direction has no component along an axis its inverse is infinite, and the ray is between both sides either
+// everywhere or nowhere.
 template <class T>
 Interval slab(const T *lower, const T *upper, const Ray &ray, double room) noexcept {
     Interval inside{-infinity, infinity};

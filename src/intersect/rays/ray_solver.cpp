@@ -11,11 +11,11 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int most_boxes = 4000; // for a ray
+constexpr int most_boxes = 4000; // per ray
 constexpr int most_depth = 60;
 constexpr size_t lanes = TurnedPatches::lanes;
 
-// The coordinates of a record.
+// The first three coordinates of a record.
 Vector3 vector_of(const double *record) noexcept {
     return {record[0], record[1], record[2]};
 }
@@ -101,8 +101,8 @@ RaySolver::Verdict RaySolver::look(double lower, double upper) {
     return Verdict::open;
 }
 
-// The mean of the derivative is what the corners say; coefficients of derivatives are differences of two that are off
-// by the noise.
+// The mean derivative follows from the corners. Coefficients of derivatives are differences of two
+// coefficients, each of which is off by the noise.
 RaySolver::Chart RaySolver::chart(const double *v, double noise_of_f) const noexcept {
     Chart chart{};
     if (shape_.axes < 2) {
@@ -171,13 +171,13 @@ bool RaySolver::excludes(const Chart &chart, const double *v, double noise) cons
     return false;
 }
 
-// Of M and the first two values.
+// M F, from the first two values of point_.
 Place<2> RaySolver::fixed_step(const Chart &chart) const noexcept {
     const double *f = point_.data();
     return {chart.m[0][0] * f[0] + chart.m[0][1] * f[1], chart.m[1][0] * f[0] + chart.m[1][1] * f[1]};
 }
 
-// point_ becomes that of the place: (F, t w, w) and its derivatives.
+// point_ becomes (F, t w, w) and its derivatives at the place returned.
 Place<2> RaySolver::approach(const Chart &chart, const double *v) {
     const auto fixed = [&](const Place<2> &at) {
         pieces::evaluate_patch(shape_, v, {at[0], at[1], 0}, 1, work_.data(), point_.data());
@@ -195,8 +195,8 @@ Place<2> RaySolver::approach(const Chart &chart, const double *v) {
     return approached<2>(fixed, newton);
 }
 
-// Open where the approach ends at a side of the part, and that alone does not say that they meet nowhere: the bound is
-// better in the halves. So it is beside weights that all but vanish.
+// Open if the approach ends at a side of the part without a proof that ray and part are disjoint: the bound
+// is sharper for the halves. The same holds near weights that almost vanish.
 RaySolver::Verdict RaySolver::meet_by(const Chart &chart, const double *v, double error, Interval range) {
     const Place<2> z = approach(chart, v);
     const double *f = point_.data();
@@ -272,10 +272,10 @@ int RaySolver::longest_axis(const double *v) const noexcept {
     return along[1] > along[0] ? 1 : 0;
 }
 
-// The upper half stays below the lower one.
+// The lower half goes on top of the stack, so that it is looked at first.
 void RaySolver::halve() {
     if (shape_.axes == 0) {
-        pop(); // a point
+        pop(); // the piece is a single point
         return;
     }
     if ((stack_.size() + 1) * size_ > memory_.size()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a ray meets one Bezier piece of a surface.
+// Intersections of a ray with one Bezier piece of a surface.
 #pragma once
 
 #include "intersect/contraction.h"
@@ -7,33 +7,34 @@
 
 namespace nrb::intersect {
 
-// Places on the piece, and t on the ray.
+// An intersection: local parameters on the piece, and t on the ray.
 struct RayMeet {
     Place<2> place{};
-    Box<2> around{}; // in which all of the meet is
+    Box<2> around{}; // a box that contains the intersection
     double t = 0;
-    Interval ts{}; // of a touch: where it is
+    Interval ts{}; // of a touch: the range of t
     int64_t piece = 0;
-    bool proven = true;  // false: a touch, as far as rounding can tell, or what the limit of work left open
-    bool inside = false; // of the piece, for certain
-    double sine = 0;     // between the ray and the tangent plane, negative from the back
+    bool proven = true;  // false: a touch, as far as rounding can tell, or left open by the limit of work
+    bool inside = false; // certainly in the interior of the piece
+    double sine = 0;     // of the angle between the ray and the tangent plane, positive from the back
 };
 
-// About the ray's origin and turned so that the ray is the third axis, the first two coordinates are
+// In a system about the origin o of the ray, with the ray as the third axis and n1, n2 as the others, the
+// first two coordinates of a piece with homogeneous points A and weights w are
 //     F(u, v) = (A - w o) . (n1, n2)
-// and the ray meets the piece where F = 0 (planes through the ray: T. Nishita, T. W. Sederberg & M. Kakimoto 1990).
-// M is the inverse of the mean derivative, and rho follows from all Bernstein coefficients of F'. Parts for which that
-// is no contraction are halved.
+// and the ray meets the piece where F = 0 (two planes through the ray: T. Nishita, T. W. Sederberg & M.
+// Kakimoto 1990). M is the inverse of the mean derivative, and rho follows from all Bernstein coefficients of
+// F' (Contraction). Parts on which that does not prove a contraction are halved.
 class RaySolver {
 public:
     explicit RaySolver(const pieces::PieceGrid &grid);
 
-    // For the calls that follow. room() is how far rounding moves pieces and rays in all.
+    // Sets the ray for the calls that follow. room() bounds the rounding of pieces and rays in all.
     void set_ray(const PlacedRay &ray);
     [[nodiscard]] double room() const noexcept { return noise_; }
 
-    // Calls found(meet) for each, with lower <= t <= limit() at the time, which may fall from call to call. Returns
-    // whether all of the piece was looked at.
+    // Calls found(meet) for each intersection with lower <= t <= limit(), which may fall from call to call.
+    // Returns whether the whole piece was searched.
     template <class Limit, class Found>
     bool solve(int64_t piece, double lower, Limit &&limit, Found &&found) {
         begin(piece);
@@ -67,12 +68,12 @@ private:
         double m[2][2];
         Contraction contraction;
     };
-    // Of the coefficients of a part.
+    // Bounds from the coefficients of a part.
     struct Ranges {
         double least_weight, most_weight;
         double nearest, farthest; // of t
         double size;              // largest |F| / w
-        bool misses;              // F is 0 nowhere
+        bool misses;              // F is proven to have no zero
     };
 
     void begin(int64_t piece);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float unbounded = std::numeric_limits<float>::infinity();
 
-// Outwards to the next floats.
+// Rounded outwards to the next float.
 float below(double x) noexcept {
     return std::nextafter(static_cast<float>(x), -unbounded);
 }
@@ -55,7 +55,7 @@ int32_t RayTree::build(std::array<int64_t, 2> lower, std::array<int64_t, 2> uppe
     return place;
 }
 
-// Of the control points; unbounded where weights have no certain sign.
+// The box of the control points; unbounded where weights have no certain sign.
 void RayTree::set_box(Node &node, int64_t piece) {
     node.right = static_cast<int32_t>(-1 - piece);
     node.lower.fill(unbounded);
@@ -68,7 +68,7 @@ void RayTree::set_box(Node &node, int64_t piece) {
         const double *record = values_.data() + i * shape.lanes;
         const double w = record[shape.dim];
         if (grid_.positive() && w == 0) {
-            continue; // no point
+            continue; // no control point
         }
         for (size_t c = 0; c < 3; ++c) {
             const double x = record[c] / w;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Boxes around the Bezier pieces of a surface or curve and around blocks of them, for rays. They are kept with the spline.
+// A bounding volume hierarchy of the Bezier pieces of a surface or curve, for rays. It is kept with the
+// spline.
 #pragma once
 
 #include "intersect/rays/ray.h"
@@ -10,8 +11,8 @@
 
 namespace nrb::intersect {
 
-// The grid of pieces is halved along its longer side down to single pieces. Children of node i are i + 1 and
-// right(i). What rounding does to pieces is in the boxes.
+// The grid of pieces is halved along its longer side down to single pieces. The children of node i are i + 1
+// and right(i). The boxes include the rounding of the pieces.
 class RayTree {
 public:
     explicit RayTree(const pieces::PieceGrid &grid);
@@ -20,13 +21,13 @@ public:
     [[nodiscard]] bool is_piece(int32_t node) const noexcept { return at(node).right < 0; }
     [[nodiscard]] int64_t piece(int32_t node) const noexcept { return -1 - int64_t{at(node).right}; }
     [[nodiscard]] int32_t right(int32_t node) const noexcept { return at(node).right; }
-    // Where a ray is in the box, at most `room` larger; lower > upper: nowhere.
+    // Where a ray is inside the box of a node, enlarged by `room`; lower > upper: nowhere.
     [[nodiscard]] Interval meets(int32_t node, const Ray &ray, double room) const noexcept;
 
 private:
     struct Node {
         std::array<float, 3> lower, upper;
-        int32_t right; // or -1 - piece
+        int32_t right; // of a leaf: -1 - piece
     };
     [[nodiscard]] const Node &at(int32_t node) const noexcept { return nodes_[static_cast<size_t>(node)]; }
     int32_t build(std::array<int64_t, 2> lower, std::array<int64_t, 2> upper);

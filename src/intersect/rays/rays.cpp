@@ -25,14 +25,14 @@ RayAnswer FirstMeets::answer() const noexcept {
     }
     const bool before = touches_before();
     RayAnswer answer = hit && !(before && touch->t < hit->t) ? *hit : *touch;
-    if (std::isnan(answer.t)) { // from so far away that it is not told where
+    if (std::isnan(answer.t)) { // too far away to be located
         return nothing(false);
     }
     answer.status |= complete && !before && std::isfinite(answer.t) ? ray_certified : 0;
     return answer;
 }
 
-// One ray after the other, in the frame of the pieces.
+// Works in the frame of the pieces.
 class RayCaster::Cast {
 public:
     Cast(const Spline &surface, PlaceFilter filter)
@@ -98,14 +98,15 @@ private:
         range_ = {placed_.in_frame(query.range.lower), placed_.in_frame(query.range.upper)};
         solver_.set_ray(placed_);
     }
-    // Whether the filter lets it pass; perhaps as a touch.
+    // Whether the filter accepts a hit. If it cannot decide, the hit becomes a touch.
     bool counts(RayMeet &meet) const {
         const int side = filter_ ? filter_(box_of(meet)) : 1;
         meet.proven = meet.proven && side > 0;
         return side >= 0;
     }
 
-    // The nearer child first. Returns whether all was looked at that may hold a meet up to the limit.
+    // Visits the nearer child first. Returns whether all pieces were searched that may hold an intersection
+    // up to the limit.
     template <class Limit, class Found>
     bool walk(Limit &&limit, Found &&found) {
         stack_.clear();
@@ -140,7 +141,7 @@ private:
         }
     }
 
-    // What two pieces have on their common edge, and boxes of one touch.
+    // Merges hits that two pieces have on their common edge, and the boxes of one touch.
     void merge() {
         std::vector<RayMeet> kept;
         for (const RayMeet &meet : meets_) {
@@ -168,7 +169,7 @@ private:
         }
         return (x.sine > 0) == (y.sine > 0) && are_neighbours(params_of(x), params_of(y));
     }
-    // The same, or at both ends of an axis, where the surface may close.
+    // Whether parameters agree, or are at opposite ends of an axis, where the surface may close.
     [[nodiscard]] bool are_neighbours(const std::array<double, 2> &x, const std::array<double, 2> &y) const {
         const double share = std::min(1e-6 + 256 * solver_.room(), 0.25);
         for (size_t k = 0; k < 2; ++k) {
@@ -186,7 +187,7 @@ private:
         std::array<double, 2> params{};
         const auto part = grid_.part(meet.piece);
         for (size_t k = 0; k < 2; ++k) {
-            params[k] = part[k].lower; // of an axis of degree 0
+            params[k] = part[k].lower; // for axes of degree 0
         }
         for (int k = 0; k < grid_.shape().axes; ++k) {
             const auto on = static_cast<size_t>(grid_.spline_axis(k));
@@ -196,11 +197,11 @@ private:
         }
         return params;
     }
-    // Rounded outwards, within the part of the piece.
+    // The box of parameters, rounded outwards, but within the piece.
     [[nodiscard]] std::array<Interval, 2> box_of(const RayMeet &meet) const {
         std::array<Interval, 2> box{};
         const auto part = grid_.part(meet.piece);
-        std::copy_n(part.begin(), 2, box.begin()); // of axes of degree 0
+        std::copy_n(part.begin(), 2, box.begin()); // for axes of degree 0
         for (int k = 0; k < grid_.shape().axes; ++k) {
             const Interval own = part[static_cast<size_t>(grid_.spline_axis(k))],
                            around = meet.around[static_cast<size_t>(k)];

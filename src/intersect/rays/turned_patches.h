@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bezier pieces as a ray sees them.
+// Bezier pieces in the coordinate system of a ray.
 #pragma once
 
 #include "intersect/rays/ray.h"
@@ -8,7 +8,8 @@
 
 namespace nrb::intersect {
 
-// About the origin of a ray and turned so that the ray is the third axis: (x w, y w, t w, w).
+// Records (x w, y w, t w, w) about the origin of a ray, in an orthonormal system with the ray as the third
+// axis.
 class TurnedPatches {
 public:
     static constexpr size_t lanes = 4;
@@ -16,10 +17,10 @@ public:
     // Precondition: a curve or surface in space.
     explicit TurnedPatches(const pieces::PieceGrid &grid);
 
-    // For what follows.
+    // Sets the ray for the calls that follow.
     void set_ray(const PlacedRay &ray);
     void fill(int64_t piece, double *out) noexcept;
-    // Coefficients of weight 0 are 0 altogether where no weight is negative: they say nothing.
+    // Where no weight is negative, a coefficient of weight 0 is 0 altogether and has no control point.
     [[nodiscard]] bool has_point(const double *record) const noexcept {
         return !grid_.positive() || record[3] != 0;
     }

@@ -11,7 +11,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// In parts of boxes: what a chart makes of places that polynomials of neighbours find.
+// In lengths of the box: how far a spot that was found with the polynomials of a neighbouring piece may be
+// from the zero that Newton's method in this box finds for it.
 constexpr double one_zero = 0x1p-10;
 
 } // namespace
@@ -69,7 +70,9 @@ bool ArcPlaces::is_zero_of(const CrossArc &arc, const CrossSpot &spot, CrossPlac
     return largest(zero) <= one_zero;
 }
 
-// In the part, of the pieces around it; where these are several the one nearest to its middle.
+// Coordinate i of a spot as a place in the part of a box. The piece of the spot has to be that of the part or
+// a neighbour of it; otherwise the result is infinite. Where an axis closes and has few pieces, the piece may
+// be so in several ways: then the place that is nearest to the middle of the part counts.
 double ArcPlaces::place_in(const CrossBox &box, const CrossSpot &spot, size_t i) const noexcept {
     const CrossCell &cell = box.cell(i);
     const CrossPiece &piece = cell.piece();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places of two surfaces as arcs that are near see them.
+// Places on two surfaces in the local coordinates of the common arcs near them.
 #pragma once
 
 #include "intersect/surfaces/cross_spot.h"
@@ -9,17 +9,20 @@
 
 namespace nrb::intersect {
 
-// Of arcs, by the pieces that they are in.
+// Numbers of arcs, by the indices (u, v of the first surface, s, t of the second one) of the pieces that they
+// are in.
 using NumbersOfPieces = std::map<std::array<int64_t, 4>, std::vector<size_t>>;
 
+// Finds the arcs in and around a pair of pieces, and tests whether a spot lies on one of them.
 class ArcPlaces {
 public:
     ArcPlaces(const CrossSurface &a, const CrossSurface &b) : surfaces_{&a, &b} {}
 
-    // The numbers of what is in pieces, or in their neighbours.
+    // The arcs in a pair of pieces and in the pairs next to it, across seams too, by rising numbers.
     [[nodiscard]] std::vector<size_t> near(const std::array<int64_t, 4> &index,
                                            const NumbersOfPieces &numbers) const;
-    // Whether a spot is one of the zeros in the wide box of an arc, at z there.
+    // Whether a spot is a zero of F in the wide box of an arc (cross_chart.h), up to what neighbouring pieces
+    // differ by. z: its place there.
     [[nodiscard]] bool is_zero_of(const CrossArc &arc, const CrossSpot &spot, CrossPlace &z) const;
 
 private:

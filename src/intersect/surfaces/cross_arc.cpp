@@ -35,7 +35,8 @@ CrossPlace CrossBox::tangent_at(const CrossPlace &z) const noexcept {
     return common_direction({value.a.slope[0], value.a.slope[1]}, {value.b.slope[0], value.b.slope[1]});
 }
 
-// From beside it.
+// Moves an end on an open side, where the surface ends, from the shifted side of the box onto the border
+// itself, unless that moves it much farther than sides are shifted.
 void ArcFinder::move_to_border(CrossEnd &end) const {
     CrossPlace at = end.at;
     at[end.coordinate] = static_cast<double>(end.side);
@@ -83,7 +84,8 @@ ArcFinder::Verdict ArcFinder::look_between_sides(int parts) {
     return verdict;
 }
 
-// Farther out along borders that are near; false: there is none.
+// Moves sides on borders of the piece outwards by their room, where a known zero is near them and the
+// coordinate may both rise and fall. False: there are none.
 bool ArcFinder::move_sides() {
     bool any = false;
     for (size_t i = 0; i < 4 && graph_.near(); ++i) {
@@ -101,8 +103,8 @@ bool ArcFinder::move_sides() {
     return any;
 }
 
-// Polynomials of a piece are those of the surface as far as borders, so that nothing is said of what is between there and zeros: an arc
-// that is beyond a border all along is none.
+// The polynomials of a piece are those of the surface only as far as its border; zeros beyond say nothing of
+// the surface. So an arc all of which is beyond a border is no arc of this piece.
 ArcFinder::Verdict ArcFinder::look_along_borders() {
     constexpr int parts = 8;
     const Verdict verdict = look_between_sides(parts);
@@ -127,8 +129,11 @@ ArcFinder::Verdict ArcFinder::look_along_borders() {
     return goes_on() ? Verdict::arc : Verdict::open;
 }
 
-// Where a surface ends nothing is beyond. An arc that is partly beyond a border is divided, until what is there is little; one that is
-// inside by no more than sides are shifted by is the neighbour's, if it has it.
+// Whether an arc along a border is accepted, by how far its known zeros are beyond it. Where the surface
+// ends, they may be beyond by the shift of sides only. Elsewhere they may be beyond by no more than `little`,
+// in lengths of the piece, or all of them are beyond, up to the shift of sides: then it is the neighbour's
+// arc, if the neighbour has it. Any other arc is left open, so that the box is divided until the part beyond
+// is little.
 bool ArcFinder::set_along(size_t coordinate, size_t side) {
     constexpr double little = 0x1p-26, least = 4 * shift_of_sides;
     const CrossCell &cell = box_->cell(coordinate);
@@ -143,7 +148,8 @@ bool ArcFinder::set_along(size_t coordinate, size_t side) {
     return cell.is_open(coordinate % 2, side) ? most <= least : most <= little || fewest >= -least;
 }
 
-// Whether the chart is one of the surface beyond the borders, too, so that neighbours have the same arc.
+// Whether the chart holds for the surface beyond those borders too, so that the neighbouring pieces have the
+// same arc.
 bool ArcFinder::goes_on() const {
     std::array<std::vector<CrossCell::Beyond>, 2> beyond;
     for (size_t i = 0; i < 4; ++i) {

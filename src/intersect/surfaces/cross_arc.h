@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The common curve of two parts of surfaces on which it is a graph.
+// The common curve of two surface parts, where it is a graph over one of their four parameters: one arc
+// between two points on the border of the box.
 #pragma once
 
 #include "intersect/graph_arc.h"
@@ -7,7 +8,7 @@
 
 namespace nrb::intersect {
 
-// A pair of parts with a chart.
+// A pair of parts with a chart: the box of four parameters in which zeros of F = A - B are looked for.
 struct CrossBox {
     CrossCell *a, *b;
     CrossChart chart;
@@ -18,13 +19,14 @@ struct CrossBox {
     }
     struct Value {
         Vector3 difference;
-        CrossPiece::Point a, b;         // derivatives by places in the parts
-        std::array<Vector3, 4> columns; // of F'
+        CrossPiece::Point a, b;         // with the derivatives by places in the parts
+        std::array<Vector3, 4> columns; // of F', by u, v, s and t
     };
     [[nodiscard]] Value at(const CrossPlace &z) const noexcept;
-    // Newton's method for F = 0 with one coordinate as it is, in the wide parts; false: there is no zero, or none is found.
+    // Newton's method for F = 0 with coordinate `fixed` held, in the wide parts. False: there is no zero, or
+    // none is found.
     bool solve(size_t fixed, CrossPlace &z) const;
-    // As GraphArc asks for.
+    // The rest of the interface that GraphArc requires.
     [[nodiscard]] double length(size_t coordinate) const noexcept {
         return cell(coordinate).length(coordinate % 2);
     }
@@ -37,17 +39,20 @@ struct CrossBox {
 
 using CrossEnd = GraphEnd<4>;
 
-// All that is in a box: N_b x N_a points from the first end to the last one.
+// All zeros of a box: one arc, which runs along N_b x N_a, the cross product of the surface normals, from the
+// first end to the last one.
 struct CrossArc {
     CrossBox box;
     std::array<CrossEnd, 2> ends;
-    // It runs along a border of a piece, on which side of it is left open: the piece beyond may have the same arc, or other
-    // parts of it. far: how far it is beyond at most, as far as zeros are known, in parts of the piece.
+    // along: the arc runs along a border of a piece, and it is left open on which side of it; the piece
+    // beyond the border may have the same arc, or other parts of it. far: the largest distance of its known
+    // zeros beyond the border, in lengths of the piece.
     bool along = false;
     double far = 0;
 };
 
-// Finds what is in a box, and what runs along borders of pieces.
+// Finds the arc in a box, if there is one. It may run along a border of a piece, with zeros a little beyond
+// it.
 class ArcFinder {
 public:
     using Verdict = GraphVerdict;
@@ -66,7 +71,7 @@ private:
 
     const CrossBox *box_ = nullptr;
     Graph graph_;
-    Graph::Sides sides_{}; // of the box, or of what arcs along borders may be in
+    Graph::Sides sides_{}; // of the box, or moved outwards for arcs along borders
     CrossArc arc_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t record_width = 4; // x w, y w, z w, w
 
-// Records [counts[0]][counts[1]].
+// A net of records [counts[0]][counts[1]].
 struct RecordNet {
     std::array<int, 2> counts{};
     std::vector<double> records;
@@ -53,13 +53,13 @@ Interval along_records(const std::vector<double> &records, const Vector3 &vector
 
 } // namespace
 
-// The second derivatives of A = w (S - centre) and w.
+// The second derivatives over the wide part of A = w (S - centre) and of w, by places in the part.
 struct CrossCell::Seconds {
-    std::array<std::vector<double>, 3> nets; // records: of 00, 01 and 11
+    std::array<std::vector<double>, 3> nets; // records of 00, 01 and 11
     std::array<Interval, 2> turns;           // w_0 and w_1
     std::array<Interval, 3> second_turns;    // w_00, w_01 and w_11
-    double room;                             // of products with vectors of length 1
-    bool weighted;                           // by weights that are not all one
+    double room;                             // error bound of dot products with unit vectors
+    bool weighted;                           // whether the weights are not all equal
     std::array<double, 2> largest_slopes;
 };
 
@@ -138,7 +138,7 @@ CrossBends CrossCell::bends_along(const Vector3 &vector) const {
     return {extents, seconds_from(vector, extents)};
 }
 
-// Extents matter only where weights change.
+// Extents are multiplied by derivatives of the weight: where all weights are equal, rough bounds are enough.
 std::array<Interval, 3> CrossCell::seconds_along(const Vector3 &vector) const {
     const Seconds &seconds = this->seconds();
     if (seconds.weighted) {

@@ -15,22 +15,24 @@ namespace nrb::intersect {
 namespace {
 
 constexpr size_t width = 4; // x w, y w, z w, w
-// In parts of the length of derivatives: what bends less is halved where it is longer.
+// Relative to the length of derivatives: parts that bend less are halved along the axis on which they are
+// longer.
 constexpr double little_bend = 0x1p-9;
-constexpr int64_t work_of_halves = 200; // for their memory
+constexpr int64_t work_of_halves = 200; // for the memory of both
 
 double dot3(const Vector3 &a, const double *b) noexcept {
     return a.x * b[0] + a.y * b[1] + a.z * b[2];
 }
 
-// The layers of a net with records, along an axis.
+// A net of records as seen along an axis.
 AxisLayers layers_along(size_t axis, const std::array<int, 2> &degrees) noexcept {
     constexpr auto record = static_cast<int64_t>(width);
     return axis == 0 ? AxisLayers{1, degrees[0], (degrees[1] + 1) * record}
                      : AxisLayers{degrees[0] + 1, degrees[1], record};
 }
 
-// The records of the derivative along an axis, which has a degree.
+// The records of the derivative along an axis of positive degree. factor: the degree over the length of the
+// interval.
 std::vector<double> derivative(const AxisLayers &layers, double factor, const double *records) {
     std::vector<double> result;
     const auto inner = static_cast<size_t>(layers.inner);
@@ -219,7 +221,7 @@ bool CrossCell::prepare() {
     return true;
 }
 
-// The records become those about the centre.
+// The records (w x, w) become (w (x - centre), w).
 void CrossCell::set_wide(std::vector<double> &records) {
     constexpr std::array<double, 2> middle{0.5, 0.5};
     const CrossPiece::Point point = piece_->evaluate(in_piece(middle.data()));
@@ -245,8 +247,11 @@ void CrossCell::set_wide(std::vector<double> &records) {
     }
 }
 
-// (w (S - centre))_k and w_k by places in the part, of one degree less along the axis. Of small parts differences have few
-// digits: those of the whole piece are taken then. Each axis makes errors larger by the sum of the magnitudes of its means.
+// The Bernstein coefficients over the wide part of (w (S - centre))_k and w_k by places in the part, where k
+// is the axis; along it the degree is one less. In small parts, differences of control points have few
+// correct digits; there the derivative of the whole piece is restricted to the part instead. Along each axis,
+// extrapolation to the wide part amplifies errors by the largest sum of the magnitudes of its factors,
+// (1 + 2 widening)^degree.
 std::vector<double> CrossCell::derivatives(const std::vector<double> &records, size_t axis) {
     constexpr double small = 0x1p-4;
     std::array<int, 2> degrees = piece_->degrees;
@@ -275,9 +280,10 @@ std::vector<double> CrossCell::derivatives(const std::vector<double> &records, s
     return values;
 }
 
-// With N = (w (S - centre))_k and w_k raised to the degree of w, D = S_k in the middle and r = w_k / w there, the derivative is
-//     S_k = D + (N - D w - r w (S - centre) - (S - centre) (w_k - r w)) / w:
-// what is kept are the coefficients of the first three terms of the numerator, and the largest |w_k - r w|.
+// Let N = (w (S - centre))_k, with N and w_k raised to the degree of w, D = S_k in the middle, and
+// r = w_k / w there. Then
+//     S_k = D + (N - D w - r w (S - centre) - (S - centre) (w_k - r w)) / w.
+// Kept are the coefficients of the first three terms of the numerator, and the largest |w_k - r w| (turns_).
 void CrossCell::set_slopes(const std::vector<double> &records, size_t axis, double turn) {
     const AxisLayers layers = layers_along(axis, piece_->degrees);
     const auto degree = static_cast<size_t>(layers.degree), inner = static_cast<size_t>(layers.inner);
@@ -376,7 +382,7 @@ CrossCell::Halves CrossCell::halves(std::deque<CrossCell> &all, std::optional<si
 }
 
 CrossCell *CrossCell::part(std::deque<CrossCell> &all, const std::array<Interval, 2> &places) const {
-    constexpr double largest_shift = 0x1p-14; // far less than what is known to be empty at sides of parts
+    constexpr double largest_shift = 0x1p-14; // far less than the empty margins at the sides
     std::pmr::vector<double> records(records_, records_.get_allocator());
     std::vector<double> whole(records_.size());
     for (size_t k = 0; k < 2; ++k) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pieces of surfaces in space, and their parts, as the search for common curves looks at them.
+// Bezier pieces of surfaces in space, and their parts ('cells'), with bounds of points and derivatives for
+// the search for common curves by subdivision.
+// A 'place' is a pair of local parameters that run from 0 to 1 over a piece or a part.
 #pragma once
 
 #include "intersect/levels/fields/surface_borders.h"
@@ -18,21 +20,23 @@
 
 namespace nrb::intersect {
 
-// Boxes of parts do not end where the parts do, but a little farther: common curves often run exactly along knots and
-// middles, or through corners of these, and hardly ever along what is shifted by a number that nobody has in mind. Where the
-// surface ends or jumps boxes end beyond it by as much, so that what runs along a border is inside. Each axis has a shift of its
-// own, since two surfaces may be graphs over one plane.
-constexpr double shift_of_sides = 0x1.3cp-38; // the largest one, in parts of pieces
+// The box of a part does not end where the part does: its sides are shifted a little. Common curves often run
+// exactly along knots and middles of parts, or through the corners between them, but hardly ever along lines
+// that are shifted by an arbitrary number. Where the surface ends or jumps, the box ends beyond the border by
+// as much, so that curves along the border are inside. Each axis has a shift of its own, since both surfaces
+// may be graphs over one plane.
+constexpr double shift_of_sides = 0x1.3cp-38; // the largest one, in lengths of pieces
 using SideShifts = std::array<double, 2>;
 constexpr std::array<SideShifts, 2> side_shifts{
     SideShifts{shift_of_sides, 0x1.1p-1 * shift_of_sides},
     SideShifts{0x1.9p-1 * shift_of_sides, 0x1.5p-2 * shift_of_sides}};
-// How far arcs that run along a border of a piece may be beyond it, in parts of pieces, before it is decided whose they are.
+// How far arcs along a border of a piece may be beyond it, in lengths of pieces, before it is decided which
+// of the two pieces has them.
 constexpr double room_along_sides = 0x1p-7;
 
 struct CrossPiece;
 
-// What the pieces of a surface have in common.
+// What all pieces of a surface share, and the pieces themselves.
 class CrossGround {
 public:
     CrossGround(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
@@ -41,75 +45,77 @@ public:
     CrossGround(const CrossGround &) = delete;
     CrossGround &operator=(const CrossGround &) = delete;
 
-    // The piece of the surface with an index, made when it is first asked for; null: its weights are not positive.
+    // The piece with an index, made at the first call; null: its weights are not all positive.
     [[nodiscard]] const CrossPiece *piece(const pieces::PieceGrid::Index &index);
 
     const pieces::PieceGrid &grid;
     const SurfaceBorders &borders;
     SideShifts shifts;
-    std::array<std::vector<double>, 2> widenings; // of coefficients along an axis, to those of the wide part
+    std::array<std::vector<double>, 2> widenings; // matrices from coefficients to those of the wide part
 
 private:
     pieces::FramedPieces pieces_;
     std::map<int64_t, std::unique_ptr<const CrossPiece>> made_;
 };
 
-// A Bezier piece with positive weights, about the centre of both surfaces.
+// A Bezier piece with positive weights, in the frame that both surfaces share. It is a piece of the surface,
+// or a part of one that has weights of no certain sign.
 struct CrossPiece {
     CrossPiece(pieces::BezierPiece made, CrossGround &of);
 
     struct Point {
         Vector3 at;
-        std::array<Vector3, 2> slope; // by places
-        std::array<double, 2> turn;   // of the weight, in parts of it
+        std::array<Vector3, 2> slope; // derivatives by places in the piece
+        std::array<double, 2> turn;   // derivatives of the weight, relative to it
     };
-    // At a place in [0, 1]^2, or not far outside.
+    // At a place in [0, 1]^2 or slightly outside.
     [[nodiscard]] Point evaluate(const std::array<double, 2> &place) const noexcept;
 
     CrossGround *ground;
     pieces::BezierPiece piece;
     std::array<int, 2> degrees{};
-    pieces::PieceGrid::Index index{}; // of the piece of the surface that it is a part of
+    pieces::PieceGrid::Index index{}; // of the piece of the surface that it is, or is a part of
     std::array<Interval, 2> range{};  // parameters
-    std::array<Interval, 2>
-        within{}; // places in that piece of the surface: all of it, if weights are positive there
-    std::array<std::array<bool, 2>, 2> open{};     // [axis][end]: the surface ends there
-    std::array<std::array<bool, 2>, 2> poles{};    // [axis][end]: the side is one point
-    std::array<std::array<double, 2>, 2> shifts{}; // [axis][end], of the sides of its box, by places
-    SideShifts shift{};                            // the same of sides inside of the piece
-    std::array<std::array<double, 2>, 2> rooms{};  // [axis][end], for arcs along them, by places
+    // Places in that piece of the surface: all of it, if weights are positive there.
+    std::array<Interval, 2> within{};
+    std::array<std::array<bool, 2>, 2> open{};     // [axis][end]: the surface ends or jumps there
+    std::array<std::array<bool, 2>, 2> poles{};    // [axis][end]: the side is one point (a pole)
+    std::array<std::array<double, 2>, 2> shifts{}; // [axis][end]: of sides on the border, in places
+    SideShifts shift{};                            // [axis]: of sides inside the piece, in places
+    std::array<std::array<double, 2>, 2> rooms{};  // [axis][end]: for arcs along the border, in places
     double largest_weight = 0;
-    double error = 0; // of points that are evaluated
+    double error = 0; // bound, of evaluated points
 
 private:
     void set_sides(const pieces::PieceGrid &grid, const SurfaceBorders &borders);
 };
 
-// Between which numbers the products of a vector lie: with what is in the wide part, from its centre, and with the
-// derivatives along both axes by places in the part.
+// Bounds of the dot products of a vector with what is in the wide part: with points, taken from the centre,
+// and with the derivatives along both axes, by places in the part.
 struct CrossExtents {
     Interval points;
     std::array<Interval, 2> slopes;
 };
 
-// The same with all second derivatives: by both, 00, 01 and 11.
+// The same with the second derivatives: 00, 01 and 11.
 struct CrossBends {
     CrossExtents extents;
     std::array<Interval, 3> bends;
 };
 
-// A part of a piece, of half its length along an axis again and again. What is known of the wide part is made when it is
-// asked for.
+// A part of a piece, made by halving along one axis or the other repeatedly. What is proven of it is proven
+// of the wide part: the part with some room on all sides (wide_part.h). The data for that are computed by
+// prepare().
 class CrossCell {
 public:
-    // memory: of the part and its halves, which lasts as long as they do.
+    // All of a piece. memory: for the part and its halves, which it outlives.
     CrossCell(const CrossPiece &piece, std::pmr::memory_resource *memory);
-    // A half, with its records.
+    // A half of a part along an axis; records: its coefficients.
     CrossCell(const CrossCell &whole, size_t axis, size_t end, std::pmr::vector<double> records);
-    // A part between places, with its records.
+    // What is between places of a part; records: its coefficients.
     CrossCell(const CrossCell &whole, const std::array<Interval, 2> &places,
               std::pmr::vector<double> records);
-    // Any part, which is not halved.
+    // Any part of a piece, on its own: it is not halved further.
     CrossCell(const CrossPiece &piece, const std::array<Interval, 2> &places);
     CrossCell(CrossCell &&other) noexcept;
     ~CrossCell();
@@ -117,38 +123,41 @@ public:
     [[nodiscard]] const CrossPiece &piece() const noexcept { return *piece_; }
     [[nodiscard]] double lower(size_t axis) const noexcept { return lower_[axis]; } // in [0, 1]
     [[nodiscard]] double length(size_t axis) const noexcept { return length_[axis]; }
-    // In places of the piece from those in the part, and back.
+    // Places in the piece from those in the part, and the other way round.
     [[nodiscard]] std::array<double, 2> in_piece(const double *place) const noexcept {
         return {lower_[0] + length_[0] * place[0], lower_[1] + length_[1] * place[1]};
     }
     [[nodiscard]] double in_part(size_t axis, double place) const noexcept {
         return (place - lower_[axis]) / length_[axis];
     }
-    // Of parameters.
+    // The parameters that it covers.
     [[nodiscard]] std::array<Interval, 2> ranges() const noexcept;
-    // Where its box ends, as places in the part.
+    // The shifted side where its box ends, as a place in the part.
     [[nodiscard]] double side(size_t axis, size_t end) const noexcept;
     [[nodiscard]] bool is_open(size_t axis, size_t end) const noexcept;
-    // How far beyond its box arcs along a side may be, as places in the part; 0 for sides inside of the piece.
+    // How far beyond a side of its box arcs along that side are followed, in places of the part; 0 for sides
+    // inside the piece.
     [[nodiscard]] double room(size_t axis, size_t end) const noexcept;
-    // Whether a side is one of the piece.
+    // Whether a side is on the border of the piece.
     [[nodiscard]] bool is_border(size_t axis, size_t end) const noexcept { return !is_inside(axis, end); }
-    // What is beyond such a side, as wide as the room, along this part: with the factor that makes derivatives along
-    // the axis those by places in this part. None: the surface ends there, or has no derivatives.
+    // The strip of the neighbouring piece beyond a side on the border, as long as the side and as wide as the
+    // room. factor: makes its derivatives along the axis those by places in this part. None: the weights of
+    // the neighbour are not positive, or an axis has degree 0. Precondition: the side is not open.
     struct Beyond;
     [[nodiscard]] std::optional<Beyond> beyond(size_t axis, size_t end) const;
-    // Whether a side of it is one point, in which a derivative vanishes.
+    // Whether a side of it is one point (a pole), where a derivative vanishes.
     [[nodiscard]] bool has_pole() const noexcept;
 
-    // The box of the control points, and its largest side.
+    // The bounding box of the control points, and its longest side.
     [[nodiscard]] const std::array<Interval, 3> &box() const noexcept { return box_; }
     [[nodiscard]] double size() const noexcept { return size_; }
-    // Of control points, which each halving makes a little larger.
+    // Error bound of the control points, which each halving makes a little larger.
     [[nodiscard]] double error() const noexcept { return error_; }
-    // Between which numbers the products of a vector and the control points lie.
+    // Bounds of the dot products of a vector and the control points.
     [[nodiscard]] Interval hull_along(const Vector3 &vector) const noexcept;
 
-    // What follows is of the wide part; false: its weights are not positive.
+    // Computes the data of the wide part, which the members below are about, up to least_weight(). False: its
+    // weights are not all well above 0, or an axis has degree 0.
     bool prepare();
     [[nodiscard]] const Vector3 &centre() const noexcept { return centre_; } // the point in the middle
     [[nodiscard]] const Vector3 &slope(size_t axis) const noexcept { return slope_[axis]; }
@@ -156,16 +165,17 @@ public:
     [[nodiscard]] CrossExtents along(const Vector3 &vector) const noexcept;
     [[nodiscard]] Interval points_along(const Vector3 &vector) const noexcept;
     [[nodiscard]] CrossBends bends_along(const Vector3 &vector) const;
-    [[nodiscard]] std::array<Interval, 3> seconds_along(const Vector3 &vector) const; // bends alone
-    // Of derivatives by places in the part.
+    [[nodiscard]] std::array<Interval, 3> seconds_along(const Vector3 &vector) const; // the bends alone
+    // A bound of the lengths of the derivatives by places in the part.
     [[nodiscard]] double largest_slope(size_t axis) const noexcept;
     [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
 
-    // Its halves along an axis, or along one that is always the same; null: it is too small. Of an axis without a degree there
-    // are none.
+    // Its halves along an axis; without one, along an axis that is chosen at the first such call. Null: the
+    // part is too small, or the axis has degree 0.
     using Halves = std::array<CrossCell *, 2>;
     Halves halves(std::deque<CrossCell> &all, std::optional<size_t> axis = std::nullopt);
-    // A part of it, with a 2^-12th of it at each side that is empty, as sides are shifted; null: it is too small.
+    // What is between places of it; null: it is too small. Precondition: at each side that is new, a margin
+    // of 2^-12 of this part holds no zeros, because sides of boxes are shifted.
     CrossCell *part(std::deque<CrossCell> &all, const std::array<Interval, 2> &places) const;
 
 private:
@@ -173,9 +183,9 @@ private:
     [[nodiscard]] std::span<const double> slopes(size_t axis) const noexcept {
         return {wide_.data() + (1 + axis) * (wide_.size() / 3), wide_.size() / 3};
     }
-    [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side, of the piece
+    [[nodiscard]] bool is_inside(size_t axis, size_t end) const noexcept; // a side: not on the border
     void set_box();
-    // Records of the wide part; half: room for as many.
+    // From the records of the part to those of the wide part. half: working memory of the same size.
     void widen(const double *records, double *half, double *wide) const;
     void set_wide(std::vector<double> &records);
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
@@ -188,7 +198,7 @@ private:
     struct DeleteSeconds {
         void operator()(const Seconds *seconds) const noexcept;
     };
-    [[nodiscard]] const Seconds &seconds() const; // made when they are first asked for
+    [[nodiscard]] const Seconds &seconds() const; // made at the first call
 
     const CrossPiece *piece_;
     std::array<double, 2> lower_{0, 0}, upper_{1, 1}, length_{1, 1};
@@ -198,9 +208,10 @@ private:
     double size_ = 0;
 
     enum class State { unknown, positive, other } state_ = State::unknown;
-    // Of the wide part: points from the centre, and of both axes those of set_slopes(); in one piece, as cells are many.
+    // Of the wide part: control points from the centre, then for each axis the coefficients of set_slopes().
+    // One block of memory, because there are many cells.
     std::pmr::vector<double> wide_;
-    std::array<double, 2> turns_{}, bends_{}; // of weights; how much derivatives change
+    std::array<double, 2> turns_{}, bends_{}; // the largest |w_k - r w|; how much derivatives change
     Interval weights_{1, 1};
     double error_ = 0, reach_ = 0;
     std::array<double, 2> slope_errors_{};
@@ -211,7 +222,7 @@ private:
     mutable std::unique_ptr<const Seconds, DeleteSeconds> seconds_;
 };
 
-// Whether their boxes are.
+// Whether their boxes are apart, by more than the errors.
 bool are_apart(const CrossCell &a, const CrossCell &b) noexcept;
 
 struct CrossCell::Beyond {

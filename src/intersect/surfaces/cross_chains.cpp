@@ -16,7 +16,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// In parts of pieces: a little more than sides of boxes are shifted.
+// In lengths of pieces, small multiples of the shift of the sides of boxes: spots no farther apart than
+// one_place are one place, and arcs no longer than no_length are points.
 constexpr double one_place = 32 * shift_of_sides, no_length = 16 * shift_of_sides;
 constexpr size_t unmatched = static_cast<size_t>(-1);
 
@@ -43,7 +44,7 @@ public:
     }
 
 private:
-    using Begin = std::pair<double, size_t>; // a place, and the arc
+    using Begin = std::pair<double, size_t>; // a position, and the arc
     struct Match {
         double apart;
         size_t from, to;
@@ -55,7 +56,7 @@ private:
         return surfaces_[i / 2]->borders.is_periodic(i % 2);
     }
     [[nodiscard]] int64_t count(size_t i) const noexcept { return grid(i).count(static_cast<int>(i % 2)); }
-    // Arcs in corners of boxes are places.
+    // Arcs across corners of boxes may be mere points: they are left out.
     void set_spots() {
         for (size_t arc = 0; arc < arcs_.size(); ++arc) {
             for (size_t end = 0; end < 2; ++end) {
@@ -66,10 +67,11 @@ private:
         }
     }
 
-    // Whether an arc may be rounding alone.
+    // Whether an arc may be made by rounding alone.
     [[nodiscard]] bool is_short(size_t arc) const noexcept { return lengths_[arc] <= 64; }
 
-    // First in the same places, then what noise, or a short arc that goes on in none, is between.
+    // First joins ends that are in the same place; then drops short arcs with a loose end, and joins ends
+    // that are separated by noise or by such an arc.
     void match_all() {
         match(1);
         while (drop_short_ends()) {
@@ -94,7 +96,7 @@ private:
         }
         return any;
     }
-    // Pairs of an end and a beginning, the nearest ones first.
+    // Joins ends to beginnings, the nearest pairs first.
     void match(double wide) {
         set_begins();
         std::vector<Match> matches;
@@ -122,13 +124,15 @@ private:
             std::ranges::sort(begins_[i]);
         }
     }
-    // Along an axis.
+    // The position along coordinate i, in pieces. Just below the upper end of an axis that closes, it is
+    // counted as below 0.
     [[nodiscard]] double key(const CrossSpot &spot, size_t i) const noexcept {
         const double at = static_cast<double>(spot.index[i]) + spot.place[i],
                      n = static_cast<double>(count(i));
         return wraps(i) && at >= n - one_place ? at - n : at;
     }
-    // Of the beginnings near it along the axis along which these are fewest: many may be on one side of pieces.
+    // Matches an end with the beginnings near it. Candidates are those along the coordinate along which they
+    // are fewest: along others, many arcs may begin on one side of a piece.
     void add_matches(size_t arc, double wide, std::vector<Match> &matches) const {
         const CrossSpot &end = spots_[1][arc];
         std::span<const Begin> near;
@@ -177,7 +181,8 @@ private:
         return add_node(kind, ranges);
     }
 
-    // Whether a spot is where a surface ends or jumps, to rounding: the end of an arc on another side may be there, too.
+    // Whether a spot is, to rounding, where a surface ends or jumps. An end may be there although it is on
+    // another side of its box.
     [[nodiscard]] bool is_at_border(const CrossSpot &spot) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
             const double room = one_place + spot.noise[i], at = spot.place[i];
@@ -189,7 +194,7 @@ private:
         }
         return false;
     }
-    // Where a way begins or ends.
+    // The node at which a way begins or ends.
     int64_t node_at(size_t arc, size_t end) {
         const CrossSpot &spot = spots_[end][arc];
         if (arcs_[arc].open[end]) {
@@ -205,7 +210,7 @@ private:
         const bool ends = arcs_[arc].creased[end] || is_at_border(spot);
         return add_node(ends ? NodeKind::border : NodeKind::undecided, spot);
     }
-    // As much around each group as it is large.
+    // The ranges of each group, widened on all sides by their own length.
     static std::vector<RangesTree::Ranges> around(const std::vector<CrossGroup> &groups) {
         std::vector<RangesTree::Ranges> all;
         for (const CrossGroup &group : groups) {
@@ -217,7 +222,8 @@ private:
         }
         return all;
     }
-    // What sides are shifted by, and what seams move.
+    // The room of a spot along coordinate i, in parameters: for the shift of sides, for noise, and for what
+    // seams move.
     [[nodiscard]] double room_of(const CrossSpot &spot, size_t i) const noexcept {
         return (one_place + 16 * spot.noise[i]) * distances_.length(i, spot.index[i]);
     }
@@ -229,8 +235,9 @@ private:
         }
         return ranges;
     }
-    // With that room. Around parts in which arcs are not told apart there are some in which
-    // rounding hides them: where these count, too, but nothing is proven of them.
+    // Whether a spot is in ranges, with that room. around: or as near to them as they are long. Around parts
+    // in which arcs are not told apart, there are others in which rounding hides arcs: ends there count as
+    // ends in the group, although nothing is proven of what is around it.
     [[nodiscard]] bool is_in(const CrossSpot &spot, const std::array<Interval, 4> &ranges,
                              bool around) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
@@ -248,7 +255,8 @@ private:
         return true;
     }
 
-    // Where parameters do not go on chains are cut.
+    // Whether parameters jump between consecutive arcs, at the seam of an axis that closes but is not
+    // periodic: chains are cut there.
     [[nodiscard]] bool is_seam(size_t before, size_t after) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
             const double far = std::abs(spots_[1][before].parameter[i] - spots_[0][after].parameter[i]);
@@ -293,7 +301,8 @@ private:
             go_on(result_.chains.back().nodes[1], result_.chains[begun].nodes[0]);
         }
     }
-    // Whether all of a chain is in a part where branches are not told apart, or is but little of what is left open.
+    // Whether all of a chain is in a touch, in which branches are not told apart, or is a short one in or
+    // around a group that is left open. Such chains are dropped.
     [[nodiscard]] bool is_in_group(const std::vector<size_t> &arcs) const {
         constexpr double little = 0x1p-8; // of pieces
         double length = 0;
@@ -311,7 +320,8 @@ private:
                       [&](size_t group) { any = any || holds(groups_[group]); });
         return any;
     }
-    // Parts of one way follow each other.
+    // Adds a part of a way that seams may cut. begun: the number of the first part; parts of one way follow
+    // each other, and their nodes are linked.
     void add_part(CrossChain chain, int64_t loop, size_t begun) {
         chain.loop = loop;
         const size_t first = chain.arcs.front(), last = chain.arcs.back();
@@ -334,11 +344,11 @@ private:
     CrossDistances distances_;
     const std::vector<JoinedArc> &arcs_;
     std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
-    std::array<std::vector<Begin>, 4> begins_;    // of what may go on, along each axis
-    std::vector<size_t> next_, last_;             // arcs
+    std::array<std::vector<Begin>, 4> begins_;    // that are still free, along each coordinate
+    std::vector<size_t> next_, last_;             // arcs, or unmatched
     std::vector<bool> taken_;
-    std::vector<CrossGroup> groups_; // of clusters: the first nodes
-    RangesTree around_;              // with what is around them
+    std::vector<CrossGroup> groups_; // of clusters; the first nodes are theirs
+    RangesTree around_;              // of the groups and what is around() them
     std::vector<double> lengths_;    // of arcs
     int64_t loops_ = 0;
     CrossChains result_;

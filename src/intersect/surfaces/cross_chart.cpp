@@ -11,11 +11,12 @@ namespace nrb::intersect {
 
 namespace {
 
-// A determinant that is smaller than this, in parts of the lengths of its columns, is none.
+// A determinant below this, relative to the product of the lengths of its columns, counts as 0.
 constexpr double least_determinant = 1e-11;
-// What hangs together more leaves directions so wide that nothing follows from them.
+// The largest norm of R, and the largest diagonal entry of (I - R)^-1, that make a chart: beyond these D is
+// so wide that nothing follows from it.
 constexpr double most_rho = 0.6, most_coupling = 2.5;
-// Of the places that a chart has to tell apart.
+// The largest noise of M F, in lengths of the parts, at which a chart can still tell places apart.
 constexpr double least_digits = 0x1p-4;
 
 std::array<size_t, 3> others_of(size_t k) noexcept {
@@ -80,7 +81,7 @@ void CrossChart::set_norms() noexcept {
     }
 }
 
-// Row i of M F, M F'_k and I - M F'; false: M F is nowhere 0.
+// Bounds row i of M F, M F'_k and I - M F' over the wide parts. False: row i of M F is nowhere 0.
 bool CrossChart::set_row(size_t i, const CrossCell &a, const CrossCell &b) {
     const CrossExtents of_a = a.along(rows_[i]), of_b = b.along(rows_[i]);
     const double middle = dot(rows_[i], a.centre() - b.centre()),
@@ -149,7 +150,8 @@ void CrossChart::set_rises() noexcept {
     }
 }
 
-// Whether zeros are known to be beside the box, or to stay in it, from what is known of one of them.
+// Whether the bounds are of use to find the arc: each coordinate of all zeros is known to stay inside the
+// parts, or its D is so narrow that one known zero tells where the others are.
 bool CrossChart::has_narrow_rises() const noexcept {
     constexpr double widest = 2;
     for (size_t i = 0; i < 4; ++i) {
@@ -178,12 +180,13 @@ CrossPlace CrossChart::drift(const CrossPlace &step, double off, double far,
     return from_own(coupling_.drift(reach));
 }
 
-// Boxes of parts are about as long along both axes, those of a shear are not.
+// Without a shear, all coordinates have about the same scale, and the maximum norm is good enough; in a shear
+// they have not, and bounds are taken row by row.
 CrossPlace CrossChart::reach_of(const CrossPlace &size) const noexcept {
     return sheared_ ? coupling_.reach(size) : coupling_.reach_in_norm(size);
 }
 
-// Of coordinates, from those of x and sigma.
+// Bounds of the coordinates y from those of x_j and sigma, at one x_k.
 CrossPlace CrossChart::from_own(CrossPlace bounds) const noexcept {
     for (size_t i = 0; i < 4; ++i) {
         bounds[i] += leans_[i] == 0 ? 0 : 1.0001 * std::abs(leans_[i]) * bounds[across_];
@@ -214,7 +217,8 @@ CrossPlace CrossChart::off_at(double difference) const noexcept {
     return from_own(size);
 }
 
-// What the columns of one surface make of row i.
+// Adds to row i of R what the columns of one surface contribute. factors: make the derivatives of the cell
+// those by places in the part of the chart.
 void CrossChart::add_offs(size_t i, size_t surface, const CrossCell &cell,
                           const std::array<double, 2> &factors, Coupling<4> &coupling) const noexcept {
     const CrossExtents extents = cell.along(rows_[i]);
@@ -253,7 +257,7 @@ bool CrossChart::goes_on(const CrossCell &a, const CrossCell &b, std::span<const
     return coupling.norm() <= most;
 }
 
-// k is the one of both x along which n . G changes less.
+// Of both x, k is the one along which n . G changes less.
 void CrossChart::set_lean(const CrossShear &shear, size_t base) {
     const auto middle = [&](size_t j) { return shear.slope(j).lower / 2 + shear.slope(j).upper / 2; };
     const size_t j = std::abs(middle(0)) >= std::abs(middle(1)) ? 0 : 1, other = 2 - base;

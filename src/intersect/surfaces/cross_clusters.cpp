@@ -48,13 +48,16 @@ public:
     }
 
 private:
-    // What hangs together, and how much room there is around it: twice what its largest member is wide.
+    // A connected group, and the room around it in which it absorbs others: twice the width of its largest
+    // member.
     struct Part {
         Ranges ranges;
         std::array<double, 4> room;
     };
 
-    // Parts of one surface may be large where the other one bends: what is together there is told apart on the other one.
+    // Groups of clusters that are connected on both surfaces: groups on one surface are refined by the other
+    // one. Where one surface bends, parts of the other one may be large, and touch each other although they
+    // belong to different places of the first.
     [[nodiscard]] std::vector<Members> groups_on_both() const {
         Members all(clusters_.size());
         for (size_t i = 0; i < all.size(); ++i) {
@@ -95,7 +98,8 @@ private:
         return all;
     }
 
-    // Arcs that were left open along borders of pieces may all be beyond them. With what sides of boxes are shifted by.
+    // Whether a group certainly holds nothing, as arcs that were left open along a border of a piece may all
+    // be beyond it. The group is examined with room for the shift of the sides of boxes.
     [[nodiscard]] bool holds_nothing(Ranges group) const {
         for (size_t i = 0; i < 4; ++i) {
             const Interval domain = domain_along(surfaces_[i / 2]->grid, i % 2);
@@ -107,7 +111,7 @@ private:
         return touch_.is_apart(group);
     }
 
-    // As far as it is a touch, for what rounding leaves around one.
+    // Widens a touch, as long as it stays one, to take in what rounding leaves around it.
     void widen(Ranges &group) const {
         for (const double times : {64.0, 16.0, 4.0}) {
             Ranges wide = group;
@@ -127,7 +131,8 @@ private:
         const SurfaceBorders &borders = surfaces_[i / 2]->borders;
         return borders.wraps(i % 2) ? borders.period(i % 2) : 0;
     }
-    // Beyond the upper end of what closes, and no longer than that.
+    // Moves a range into the domain. Where that closes, the range may run beyond the upper end, unless it is
+    // as long as the period.
     void keep_in_domain(size_t i, Interval &range) const noexcept {
         const Interval domain = domain_along(surfaces_[i / 2]->grid, i % 2);
         if (period(i) == 0 || range.upper - range.lower >= period(i)) {
@@ -139,7 +144,7 @@ private:
     static double size_of(const Ranges &ranges) noexcept {
         return std::max(ranges[0].upper - ranges[0].lower, ranges[1].upper - ranges[1].lower);
     }
-    // Across seams where that makes less.
+    // Extends `all` to hold `own`, across a seam where that makes it shorter.
     void enclose(const Ranges &own, Ranges &all) const noexcept {
         for (size_t i = 0; i < 4; ++i) {
             Interval best{-infinity, infinity};
@@ -153,7 +158,8 @@ private:
         }
     }
 
-    // Larger ones come first. What is no touch takes others from where it was, or those in a row would all be one.
+    // Larger groups, which come first, absorb those near them. A group that is not a touch takes only what is
+    // near its original place; otherwise groups in a row would all become one.
     void absorb() {
         std::vector<Ranges> ranges;
         for (const Part &group : groups_) {
@@ -170,7 +176,8 @@ private:
         }
         groups_ = std::move(kept);
     }
-    // Touches are no part of what is none; what is near one is a part of it.
+    // A group with all that it absorbs. A touch takes whatever is near it; a group that is not one does not
+    // take touches.
     [[nodiscard]] Part with_near(const Part &group, const RangesTree &tree, std::vector<bool> &taken) const {
         const bool touch = touch_.is_touch(group.ranges);
         Part all = group;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of parts in which curves are not told, as what hangs together.
+// Connected groups of the pairs of parts that are left open.
 #pragma once
 
 #include "intersect/surfaces/cross_search.h"
@@ -9,12 +9,14 @@
 namespace nrb::intersect {
 
 struct CrossGroup {
-    std::array<Interval, 4>
-        ranges; // of parameters, which may run beyond the upper ends of domains that close
+    // Of parameters, which may run beyond the upper ends of domains that close.
+    std::array<Interval, 4> ranges;
     bool touch; // TouchTest::is_touch() of all of it
 };
 
-// Clusters that touch on both surfaces are one, with those that are no farther from it than it is large. Larger ones come first.
+// Groups clusters that touch each other on both surfaces, together with what is near: no farther from the
+// group than twice its width or, if it is not a touch, than twice the width of its largest cluster. Larger
+// groups come first.
 std::vector<CrossGroup> cross_groups(const CrossSurface &a, const CrossSurface &b, const TouchTest &touch,
                                      const std::vector<CrossCluster> &clusters);
 

@@ -15,7 +15,8 @@ Vector3 point_of(const CrossCell &part, const std::array<double, 2> &place) noex
     return part.piece().evaluate(part.in_piece(place.data())).at;
 }
 
-// From its foot on the surface of a part, near that; infinite if that is not within some places in the part.
+// The distance of a point from its foot point on the surface of a part, looked for from the middle of the
+// part; infinite if a step leaves `within`, places in the part.
 double distance_to(const CrossCell &part, const Vector3 &from, const std::array<Interval, 2> &within) {
     constexpr int most_steps = 4;
     std::array<double, 2> at{0.5, 0.5};
@@ -38,7 +39,7 @@ double distance_to(const CrossCell &part, const Vector3 &from, const std::array<
     }
 }
 
-// All of the piece, and a little more, as places in the part.
+// All of the piece and a little more, as places in the part.
 std::array<Interval, 2> piece_around(const CrossCell &part) noexcept {
     const auto along = [&](size_t k) {
         return Interval{part.in_part(k, -widening), part.in_part(k, 1 + widening)};
@@ -137,7 +138,8 @@ size_t CrossCrowds::far_above(const std::vector<size_t> &counts) {
     return std::max(8 * *middle, least_near);
 }
 
-// Pieces with weights of no certain sign are in parts, so that there may be several pairs of the same ones.
+// A piece that has weights of no certain sign is examined in parts, so that one pair of pieces may have
+// several numbers.
 void CrossCrowds::mark_neighbours(const PiecePair &pair) {
     if (numbers_.empty()) {
         count_work(100 * std::ssize(pairs_));
@@ -160,7 +162,7 @@ void CrossCrowds::mark_neighbours(const PiecePair &pair) {
     }
 }
 
-// With the piece itself.
+// The piece itself and those around it, across seams too.
 std::vector<int64_t> CrossCrowds::neighbours(size_t surface, int64_t piece) const {
     const pieces::PieceGrid &grid = grounds_[surface]->grid;
     const SurfaceBorders &borders = grounds_[surface]->borders;

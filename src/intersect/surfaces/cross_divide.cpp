@@ -11,7 +11,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr Interval none{infinity, -infinity};
-constexpr int64_t work_of_a_half = 48; // of a pair, for the memory that it takes
+constexpr int64_t work_of_a_half = 48; // of a pair, for its memory
 
 } // namespace
 
@@ -23,7 +23,7 @@ void CrossSearch::divide(const Pair &pair, const Cut &cut) {
 
 void CrossSearch::halve(const Pair &pair, const Cut &cut) {
     const double error = 4 * (pair.a->piece().error + pair.b->piece().error);
-    const bool pole = pair.a->has_pole() || pair.b->has_pole(); // where parts never have charts
+    const bool pole = pair.a->has_pole() || pair.b->has_pole(); // where parts never have a chart
     const double small = pole ? std::max(error, tolerance_ / 4) : error;
     for (const bool of_a : {cut.first, !cut.first}) {
         CrossCell &cell = of_a ? *pair.a : *pair.b;
@@ -47,7 +47,8 @@ void CrossSearch::halve(const Pair &pair, const Cut &cut) {
     }
 }
 
-// What a shear leaves of the present pair; false: that is not far less.
+// Replaces the pair by what the shear leaves of it, if that is far less. False: it is not, or parts would be
+// too small.
 bool CrossSearch::take_parts(const Pair &pair) {
     const CrossCell &x = first_is_x_ ? *pair.a : *pair.b, &y = first_is_x_ ? *pair.b : *pair.a;
     std::array<CrossCell *, 2> of_x{};
@@ -67,11 +68,12 @@ bool CrossSearch::take_parts(const Pair &pair) {
     return true;
 }
 
-// What is side by side has no charts, as a surface meets itself there.
+// Halves both parts of a pair of adjacent ones, which has no chart because the surface meets itself between
+// them.
 void CrossSearch::halve_both(const Pair &pair) {
     const double small = 4 * (pair.a->piece().error + pair.b->piece().error);
     const auto halves = [&](CrossCell &cell, CrossSide &side) {
-        cell.prepare(); // so that both sides have the same parts
+        cell.prepare(); // so that the cells of both sides choose the same axis
         const CrossCell::Halves both = cell.size() > small ? cell.halves(side.parts) : CrossCell::Halves{};
         return both[0] != nullptr ? both : CrossCell::Halves{&cell, nullptr};
     };
@@ -103,7 +105,8 @@ void CrossSearch::add(const Pair &pair) {
     found_.clusters.push_back({ranges_of(*pair.a, *pair.b)});
 }
 
-// What there was no work for: where that is much, as one part of each pair of pieces.
+// Leaves open the pairs that there was no work for; where these are many, as one cluster for each pair of
+// pieces.
 void CrossSearch::add_left(std::span<const Pair> pairs) {
     constexpr size_t most = 1 << 16;
     if (pairs.size() <= most) {
@@ -123,7 +126,8 @@ void CrossSearch::add_left(std::span<const Pair> pairs) {
     });
 }
 
-// Of groups of pieces all of the surface.
+// Leaves a pair of nodes of the trees open: a single piece with its parameters, a group of pieces as all of
+// the surface.
 void CrossSearch::add_unknown(const PairCell &a, const PairCell &b) {
     count_work(work_of_a_kept_part);
     CrossCluster &cluster = found_.clusters.emplace_back();

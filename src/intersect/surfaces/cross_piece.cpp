@@ -51,8 +51,8 @@ CrossPiece::CrossPiece(pieces::BezierPiece made, CrossGround &of)
     for (int64_t i = 0; i < piece.coefficients(); ++i) {
         largest_weight = std::max(largest_weight, piece.weight(i));
     }
-    // Bernstein functions are off by 3 / 2 eps for each degree, which moves means by as much of how far points are apart; sums
-    // and quotients have one rounding for each term of theirs.
+    // Bernstein functions have relative errors of 3 / 2 eps for each degree, which move a mean of control
+    // points by as much times their distance; sums and quotients add one rounding for each of their terms.
     const int degrees_of_both = degrees[0] + degrees[1];
     error = piece.moved() + 1.5 * degrees_of_both * eps * (std::sqrt(3.0) * piece.size()) +
             (degrees_of_both + 6) * eps * piece.reach();

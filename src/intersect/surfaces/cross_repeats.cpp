@@ -11,9 +11,9 @@ namespace nrb::intersect {
 
 namespace {
 
-// In parts of pieces: arcs that are no farther beyond their piece may be on its border.
+// In lengths of pieces: arcs that are no farther beyond the border of their piece may be on it.
 constexpr double on_border = 0x1p-26;
-// In parts of boxes.
+// In lengths of boxes, along coordinate k: what is shorter is nothing.
 constexpr double least_rest = 0x1p-24;
 
 class Repeats {
@@ -36,7 +36,8 @@ public:
     }
 
 private:
-    // What is in its own piece comes first, then the lower piece.
+    // The order in which arcs are kept: first those in their own piece, then those that are less far beyond
+    // it, then those in the lower piece.
     [[nodiscard]] std::tuple<double, std::array<int64_t, 4>, size_t> rank(size_t i) const {
         const CrossArc &arc = found_.arcs[i];
         return {arc.far <= on_border ? 0 : arc.far, spot_of(arc, arc.ends[0]).index, i};
@@ -46,7 +47,8 @@ private:
         spots_.push_back({spot_of(arc, arc.ends[0]), spot_of(arc, arc.ends[1])});
         numbers_[spots_.back()[0].index].push_back(kept_.size() - 1);
     }
-    // On the way of an arc.
+    // The position along the way of an arc: coordinate k, with the sign that makes it rise from the first end
+    // to the last one.
     static double along(const CrossArc &arc, const CrossPlace &z) noexcept {
         return arc.box.chart.direction() * z[arc.box.chart.axis()];
     }
@@ -84,7 +86,8 @@ private:
         }
         rest = std::move(left);
     }
-    // On the way of an arc: what the other one has of it. Where they have a zero in common they are one as far as both go.
+    // The interval of the way of an arc that another arc covers; {1, 0} if there is none. Arcs with a zero in
+    // common are one curve as far as both go.
     [[nodiscard]] Interval common(const CrossArc &arc, const std::array<CrossSpot, 2> &spots,
                                   const CrossArc &other, const std::array<CrossSpot, 2> &of_other) const {
         const Interval way = way_of(arc), way_of_other = way_of(other);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arcs along borders of pieces, which are found on both sides.
+// Removes repeated arcs: those along borders of pieces are found from both sides.
 #pragma once
 
 #include "intersect/surfaces/cross_search.h"
@@ -7,8 +7,8 @@
 
 namespace nrb::intersect {
 
-// Of each arc along a border what no other arc has is left. What is then beyond its piece, although nothing was found there, is a
-// part of which it is left open what is in it.
+// Keeps of each arc along a border only what no other arc covers. Where that is beyond the piece of the arc,
+// although nothing was found there, the pair of parts is left open as a cluster.
 void remove_repeats(const CrossSurface &a, const CrossSurface &b, CrossParts &found);
 
 } // namespace nrb::intersect

@@ -14,21 +14,24 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int most_blind_halvings = 16; // of pieces whose weights have no certain sign
-constexpr int64_t few_rounds = 4;       // for which the work that is left is enough, where little is
-// Of parts of one surface side by side, of small ones alone: there are as many as they are where it bends.
+constexpr int most_blind_halvings = 16; // of pieces that have weights of no certain sign
+constexpr int64_t few_rounds = 4;       // if the work left is enough for fewer, crowds are given up
+// The largest number of pairs of adjacent parts of one surface that are divided in any case. Only small parts
+// count: of large ones, there are as many as it takes where the surface bends.
 constexpr size_t most_side_by_side = 2048;
-constexpr double small_side_by_side = 0x1p-12; // area, in parts of pieces
-// In parts of the errors of points: what is no thicker is not told apart by smaller parts.
+constexpr double small_side_by_side = 0x1p-12; // area, relative to the piece
+// In units of the errors of points: smaller parts do not tell apart what is no thicker.
 constexpr double thick = 32;
 
-// Whether the cosine of the angle between the normals in the middles is not less.
+// Whether the normals in the middles are parallel, regardless of their signs, up to an angle with this
+// cosine.
 bool are_parallel(const CrossCell &a, const CrossCell &b, double least_cosine) noexcept {
     const Vector3 of_a = cross(a.slope(0), a.slope(1)), of_b = cross(b.slope(0), b.slope(1));
     return std::abs(dot(of_a, of_b)) >= least_cosine * length(of_a) * length(of_b);
 }
 
-// Of parts in one plane: whether a line along one of the directions of either is between them.
+// Whether a plane through the normal and one of the derivatives in the middle of either part separates both:
+// for parts in about one plane, a line in it.
 bool are_side_by_side(const CrossCell &a, const CrossCell &b) {
     const double room = 4 * (a.error() + b.error());
     count_work(200);
@@ -89,7 +92,8 @@ CrossParts CrossSearch::run(double tolerance) {
     return std::move(found_);
 }
 
-// What grows in one place must not take the work of all others: pairs of pieces that have far more than these are left open.
+// Pairs that multiply in one place must not use up the work for all others: pairs of pieces with far more of
+// them than most have are left open.
 void CrossSearch::give_up_crowds() {
     const std::vector<size_t> counts = crowds_.counts_of(pairs_);
     const size_t most = CrossCrowds::far_above(counts);
@@ -102,8 +106,9 @@ void CrossSearch::give_up_crowds() {
     });
 }
 
-// Where surfaces are one, parts of those that are found so are told as they are, and so are all that lie along each other. What is
-// hardly thicker than the tolerance may lie on a surface that it touches.
+// Decides at the end of a round whether the flat pairs are halved, or left open as they are because their
+// pairs of pieces are crowded. lies_on() is evaluated only for pairs that are clearly thicker than the
+// tolerance: thinner parts seem to lie on a surface even where they only touch it.
 void CrossSearch::settle_crowds() {
     constexpr double thick_to_lie = 32;
     for (const FlatPair &flat : flat_) {
@@ -123,7 +128,8 @@ void CrossSearch::settle_crowds() {
     settle_side_by_side();
 }
 
-// Where a surface turns back along a curve, there are ever more.
+// Halves the pairs of adjacent parts of one surface, but leaves small ones open where they are too many:
+// where a surface turns back along a curve, there are more and more.
 void CrossSearch::settle_side_by_side() {
     const auto is_small = [](const Pair &pair) {
         return std::max(pair.a->length(0) * pair.a->length(1), pair.b->length(0) * pair.b->length(1)) <=
@@ -168,7 +174,7 @@ void CrossSearch::look_at(PairCell &a, PairCell &b) {
     }
 }
 
-// Groups go before pieces.
+// Divides groups of pieces first, then the larger piece.
 void CrossSearch::divide(PairCell &a, PairCell &b) {
     const auto rank = [](const PairCell &cell) {
         return is_positive(cell) ? -1 : cell.piece ? cell.size : cell.size + 1e3;
@@ -190,7 +196,7 @@ void CrossSearch::look(Pair pair) {
         return;
     }
     const bool ready = pair.a->prepare();
-    if (!pair.b->prepare() || !ready) { // the larger one: else ever more parts would be near all of it
+    if (!pair.b->prepare() || !ready) { // the larger one: otherwise ever more parts would be near all of it
         halve(pair, {pair.a->size() >= pair.b->size(), std::nullopt});
         return;
     }
@@ -206,7 +212,7 @@ void CrossSearch::look(Pair pair) {
     }
 }
 
-// Where planes of tangents are nearly one, a sheared one if no other is there.
+// Makes a chart of the pair; where tangent planes nearly coincide, one in a shear if there is no other.
 CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
     constexpr double nearly = 0.9;
     box_.a = pair.a;
@@ -239,7 +245,8 @@ CrossChart::Verdict CrossSearch::set_chart(Pair &pair) {
     return sheared;
 }
 
-// Of a pair with a shear. Where unknowns are coupled a little, planes of tangents have one line in common, and k is what is left to halve.
+// Keeps what the shear suggests to halve. If its unknowns are only weakly coupled, tangent planes are nowhere
+// the same: there is no contact, and it is halving along k that is left to do.
 void CrossSearch::keep_cut(Pair &pair) {
     parts_ = shear_.parts();
     cut_ = {shear_.cut().first == first_is_x_, shear_.cut().axis};
@@ -249,7 +256,8 @@ void CrossSearch::keep_cut(Pair &pair) {
     }
 }
 
-// By the shear, of what touches nowhere: so many are no crowd.
+// Whether the shear leaves only little of a pair that touches nowhere: such pairs are no crowd, however many
+// there are.
 bool CrossSearch::is_little_left() const noexcept {
     constexpr double little = 0x1p-6;
     return parts_.count > 0 && parts_.left <= little && shear_.touch_nowhere();
@@ -273,7 +281,8 @@ CrossSearch::Cut CrossSearch::usual_cut(const Pair &pair) const noexcept {
     return {by_rows ? box_.chart.first_bends_more() : pair.a->size() >= pair.b->size(), std::nullopt};
 }
 
-// Whether both are one sheet of a surface, or side by side on it.
+// Whether a pair of parts of one surface needs no charts, because both are proven to be in one sheet, are the
+// same or adjacent, or are in one place to within the tolerance.
 bool CrossSearch::is_of_one_surface(Pair &pair) {
     switch (self_->look(*pair.a, *pair.b)) {
     case SelfPairs::Verdict::touching:
@@ -282,8 +291,7 @@ bool CrossSearch::is_of_one_surface(Pair &pair) {
     case SelfPairs::Verdict::one_sheet:
         return true;
     case SelfPairs::Verdict::near:
-        pair.no_contact =
-            true; // in sheets that part from each other there are many places that look like one
+        pair.no_contact = true; // where sheets part from each other, many places look like contacts
         if (!are_in_one_place(pair)) {
             return false;
         }
@@ -295,12 +303,13 @@ bool CrossSearch::is_of_one_surface(Pair &pair) {
     return false;
 }
 
-// Whether they are in one place, as far as the tolerance tells.
+// Whether both are so small that the tolerance does not tell them apart.
 bool CrossSearch::are_in_one_place(const Pair &pair) const noexcept {
     return std::max(pair.a->size(), pair.b->size()) <= tolerance_ / 8;
 }
 
-// How far both reach on either side of a plane; less than 0: they are apart along its normal.
+// The thickness of both parts together along a normal of either, whichever is less. Negative: they are apart
+// along one of them.
 double CrossSearch::thickness(const Pair &pair) {
     const Vector3 of_a = cross(pair.a->slope(0), pair.a->slope(1)),
                   of_b = cross(pair.b->slope(0), pair.b->slope(1));
@@ -323,7 +332,7 @@ double CrossSearch::thickness(const Pair &pair) {
     return least;
 }
 
-// Whether the smaller part lies on the larger one, as far as its middle tells.
+// Whether the smaller part is along the larger one, judged by the distance of its middle.
 bool CrossSearch::are_along(const Pair &pair) const {
     const bool first = pair.a->size() <= pair.b->size();
     return are_parallel(*pair.a, *pair.b, 0.999) &&

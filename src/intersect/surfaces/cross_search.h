@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the parts of two surfaces that have common curves, and these in them.
+// The search for common curves of two surfaces by subdivision: finds pairs of parts with a certified common
+// arc or a contact, and leaves open what it cannot decide.
 #pragma once
 
 #include "intersect/surfaces/contact/contact_chart.h"
@@ -14,7 +15,7 @@
 
 namespace nrb::intersect {
 
-// A pair of parts of which it is left open what they have in common.
+// A pair of parts for which it is left open what they have in common.
 struct CrossCluster {
     std::array<Interval, 4> ranges; // parameters of both
 };
@@ -36,18 +37,21 @@ struct CrossParts {
 std::array<Interval, 4> ranges_of(const CrossCell &a, const CrossCell &b) noexcept;
 std::array<Interval, 4> ranges_of(const CrossBox &box) noexcept;
 
-// Pairs of pieces whose boxes have common points, then pairs of their parts, all of one size before smaller ones: a pair is
-// excluded, has a chart in which its arc is found, or one of both is halved. What is left where planes of tangents are all
-// but one is told by how the number of such pairs grows: a touch in one place leaves as many at each size, one along a
-// curve or in a region ever more.
+// Starts with the pairs of pieces whose boxes overlap, and examines pairs of their parts breadth first, all
+// of one size before smaller ones. A pair is excluded, or has a chart in which its arc is found, or one of
+// its parts is halved. Pairs with nearly coincident tangent planes remain at each size, and it matters how
+// their number grows: an isolated touch leaves equally many at each size, a touch along a curve or a region
+// in which the surfaces coincide leaves more and more.
 class CrossSearch {
 public:
     CrossSearch(const Spline &a, const Spline &b, const SurfaceBorders &borders_a,
                 const SurfaceBorders &borders_b);
-    // Of a surface with itself, where each place is common to it and itself: what else is, in both orders.
+    // Of a surface with itself. That each place meets itself is left out; all other common points are found
+    // twice, with their two places in either order.
     CrossSearch(const Spline &g, const SurfaceBorders &borders);
 
-    // tolerance: within which what is not told apart need not be. The cells that arcs are in last as long as the search.
+    // tolerance: what is closer to each other need not be told apart. The arcs refer to cells of the search,
+    // and are valid as long as it exists.
     CrossParts run(double tolerance);
 
     [[nodiscard]] const pieces::Frame &frame() const noexcept { return frame_; }
@@ -56,12 +60,13 @@ public:
 
 private:
     using PairCell = closest::PairCell;
-    // graph: of a pair that had a chart. What is left of its arc where parts become too small is not told as a part, since arcs on
-    // both sides of it go on in each other, or end.
-    // no_contact: of a pair that does not touch where it is nearest; no_shear: of one that does not bend alike.
+    // graph: the pair comes from one that had a chart. What is left of its arc where parts become too small
+    // is not reported as a cluster, because the arcs on both sides of it are joined, or end there.
+    // no_contact: the pair is known not to touch where both are nearest, or is not tested for a contact.
+    // no_shear: the parts do not bend alike, so that a shear is useless.
     struct Pair {
         CrossCell *a, *b;
-        CrossCrowds::Number of; // the pieces
+        CrossCrowds::Number of; // the pair of pieces
         bool graph = false;
         bool no_contact = false;
         bool no_shear = false;
@@ -74,7 +79,7 @@ private:
     bool is_of_one_surface(Pair &pair);
     [[nodiscard]] bool are_in_one_place(const Pair &pair) const noexcept;
     void halve_both(const Pair &pair);
-    // What is halved, along an axis if it is known which one.
+    // Which part is halved, and along which axis if that is known.
     using Cut = CrossShear::Cut;
     [[nodiscard]] Cut usual_cut(const Pair &pair) const noexcept;
     CrossChart::Verdict set_chart(Pair &pair);
@@ -103,20 +108,20 @@ private:
     struct FlatPair {
         Pair pair;
         Cut cut;
-        double thickness; // if more than the tolerance, one lies on the other one, as far as its middle tells
+        double thickness; // beyond the tolerance only if are_along()
     };
     std::vector<Pair> pairs_, next_;
     std::vector<FlatPair> flat_;
-    std::vector<Pair> side_by_side_; // parts of one surface
+    std::vector<Pair> side_by_side_; // adjacent parts of one surface
     CrossCrowds crowds_;
     ContactSolver solver_;
     ContactChart contact_;
     ArcFinder finder_;
     CrossShear shear_;
-    // Of the present pair.
+    // Of the pair that is being examined.
     std::optional<Cut> cut_;
     CrossShear::Parts parts_;
-    bool first_is_x_ = true; // of the shear
+    bool first_is_x_ = true; // whether part a is X of the shear
     std::optional<SelfPairs> self_;
     CrossBox box_{};
     CrossParts found_;

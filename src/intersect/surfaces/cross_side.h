@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One of the surfaces that a search looks for common points of.
+// One of the two surfaces of a search for common points.
 #pragma once
 
 #include "closest/pair/pair_cells.h"
@@ -11,23 +11,24 @@
 
 namespace nrb::intersect {
 
-constexpr int64_t work_of_a_kept_part = 4000; // memory ends with the work
-// Of pairs of pieces that are to be looked at: where there are more than the work is enough for, groups of them are left open.
+constexpr int64_t work_of_a_kept_part = 4000; // so that the limit of work limits memory, too
+// For each pair of pieces that is to be examined: where there are more pairs than the work suffices for,
+// whole groups of pieces are left open.
 constexpr int64_t work_of_a_pair = 1000;
 
-// Its pieces in a tree of boxes, and those that were asked for in parts.
+// Its pieces in a tree of boxes, and the cells of the pieces that were asked for.
 struct CrossSide {
     CrossSide(const Spline &surface, const pieces::Frame &frame, const SurfaceBorders &ends,
               const SideShifts &shifts_of_axes);
-    // All of a piece with positive weights.
+    // The cell of a whole piece, made at the first call. Precondition: is_positive(cell).
     CrossCell &root(closest::PairCell &cell);
 
     CrossGround ground;
     closest::PairCells cells;
     std::deque<CrossPiece> pieces;
-    std::pmr::monotonic_buffer_resource memory; // of the parts, which are many: it is given back at once
+    std::pmr::monotonic_buffer_resource memory; // of the parts, which are many; freed all at once
     std::deque<CrossCell> parts;
-    std::vector<CrossCell *> roots; // by marks of cells
+    std::vector<CrossCell *> roots; // by the marks of PairCells, from 1
 };
 
 inline bool is_positive(const closest::PairCell &cell) noexcept {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t most_cells = 64, most_normals = 4; // of each surface
 constexpr int most_cuts = 256;
-constexpr double small_part = 0x1p-5; // of both surfaces
+constexpr double small_part = 0x1p-5; // in the frame, where the surfaces have a size of about 1
 
 bool are_apart(const std::vector<CrossCell> &a, const std::vector<CrossCell> &b) noexcept {
     return std::ranges::all_of(a, [&](const CrossCell &one) {
@@ -21,7 +21,8 @@ bool are_apart(const std::vector<CrossCell> &a, const std::vector<CrossCell> &b)
     });
 }
 
-// What a range of parameters covers of each piece along an axis, across seams too: the index and the places.
+// What a range of parameters covers of the pieces along an axis, across seams too: the index of each piece,
+// and the places in it.
 std::vector<std::pair<int64_t, Interval>> covered(const CrossGround &ground, size_t axis,
                                                   const Interval &range) {
     std::vector<std::pair<int64_t, Interval>> parts;
@@ -51,7 +52,7 @@ std::vector<std::pair<int64_t, Interval>> covered(const CrossGround &ground, siz
 
 } // namespace
 
-// False: there are too many, or weights are not positive.
+// False: there are too many, weights are not positive, or the ranges cover nothing.
 bool CrossTouch::add_parts(size_t surface, const std::array<Interval, 4> &ranges, Cells &cells) const {
     const auto along_u = covered(*grounds_[surface], 0, ranges[2 * surface]),
                along_v = covered(*grounds_[surface], 1, ranges[2 * surface + 1]);
@@ -96,7 +97,8 @@ double CrossTouch::thickness(const Cells &cells, const Vector3 &unit) noexcept {
     return all.upper - all.lower;
 }
 
-// The half, the quarter or the eighth of a range at an end.
+// Cuts a half, a quarter or an eighth off one end of range i, the largest that is apart from the other
+// surface.
 bool CrossTouch::cut(size_t i, bool upper, const Cells &other, std::array<Interval, 4> &ranges) const {
     for (const double share : {0.5, 0.25, 0.125}) {
         std::array<Interval, 4> part = ranges;

@@ -1,36 +1,41 @@
 // SPDX-License-Identifier: MIT
-// Parts of two surfaces that are near each other all over.
+// Whether parts of two surfaces touch, that is, are near each other all over, and which parts are certainly
+// apart.
 #pragma once
 
 #include "intersect/surfaces/cross_cell.h"
 
 namespace nrb::intersect {
 
-// Whether ranges of the parameters of two surfaces are a touch, and without what they are the same.
+// Decides whether ranges of the parameters of two surfaces are a touch, and cuts off what holds no common
+// points.
 class TouchTest {
 public:
     virtual ~TouchTest() = default;
     [[nodiscard]] virtual bool is_touch(const std::array<Interval, 4> &ranges) const = 0;
     virtual void narrow(std::array<Interval, 4> &ranges) const = 0;
-    // Whether it is certain that ranges hold nothing: where nobody can tell it is not.
+    // Whether ranges certainly hold no common points; false where that cannot be decided.
     [[nodiscard]] virtual bool is_apart(const std::array<Interval, 4> & /*ranges*/) const { return false; }
 };
 
 class CrossTouch final : public TouchTest {
 public:
-    // tolerance: in the frame of both.
+    // tolerance: in the frame that both surfaces share.
     CrossTouch(CrossGround &a, CrossGround &b, double tolerance) : grounds_{&a, &b}, tolerance_(tolerance) {}
 
-    // Whether all that both have in ranges of their parameters, which may run beyond domains that close, lies between two
-    // planes no farther apart than the tolerance, or in a box no larger, and is a small part of both.
+    // Whether the parts of both surfaces over ranges of their parameters, which may run beyond domains that
+    // close, lie between two planes no farther apart than the tolerance, or in a box that is no larger, and
+    // are small compared with the surfaces.
     [[nodiscard]] bool is_touch(const std::array<Interval, 4> &ranges) const override;
 
-    // Whether it is no larger than what the tolerance does not tell apart where two sheets of a surface part.
+    // Whether these parts lie in a box with sides of at most 16 sqrt(tolerance): where two sheets of a
+    // surface part, the tolerance does not separate them within such a box.
     [[nodiscard]] bool is_spot(const std::array<Interval, 4> &ranges) const;
 
-    // Takes away from ranges what has no common points with the other surface in its own, as boxes tell.
+    // Cuts off ends of ranges that have no common points with the other surface in its ranges, as bounding
+    // boxes prove.
     void narrow(std::array<Interval, 4> &ranges) const override;
-    // Whether boxes tell that there are no common points in ranges: for certain, if so.
+    // Whether bounding boxes prove that there are no common points in ranges.
     [[nodiscard]] bool is_apart(const std::array<Interval, 4> &ranges) const override;
 
 private:
@@ -38,7 +43,7 @@ private:
 
     bool cut(size_t i, bool upper, const Cells &other, std::array<Interval, 4> &ranges) const;
 
-    // Without what is known of wide parts.
+    // Adds the cells of a surface over its ranges; they are not prepared.
     bool add_parts(size_t surface, const std::array<Interval, 4> &ranges, Cells &cells) const;
     static bool are_small(const Cells &cells, double most) noexcept;
     static double thickness(const Cells &cells, const Vector3 &unit) noexcept;

@@ -16,7 +16,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int64_t work_of_a_point = 300000; // a net may touch in each of its pieces
+constexpr int64_t work_of_a_point = 300000; // for each control point: a net may touch in each of its pieces
 
 constexpr double share_of_overlaps = 0.75; // of the work: the rest is for curves
 
@@ -24,7 +24,8 @@ std::array<int, 2> degrees_of(const Spline &surface) noexcept {
     return {surface.axis(0).degree(), surface.axis(1).degree()};
 }
 
-// Curves are made of the other half of the work. limited: whether this one ended.
+// The search gets one half of the work, and the making of curves the other one. limited: whether the first
+// half was used up.
 CrossParts parts_of(CrossSearch &search, double tolerance, bool &limited) {
     const PartOfWork half;
     CrossParts found = search.run(tolerance);
@@ -32,7 +33,7 @@ CrossParts parts_of(CrossSearch &search, double tolerance, bool &limited) {
     return found;
 }
 
-// Whether something is left open that is no touch.
+// Whether a group is left open that is not a touch.
 bool is_left_open(const std::vector<CrossGroup> &groups) {
     return std::ranges::any_of(groups, [](const CrossGroup &group) { return !group.touch; });
 }

@@ -11,7 +11,7 @@ namespace nrb::mesh {
 
 namespace {
 
-// Of a rising or falling list, the place of x between its values.
+// Interpolates linearly in a table whose arguments rise or fall.
 double interpolated(const std::vector<double> &from, const std::vector<double> &to, double x) noexcept {
     const bool rising = from.front() < from.back();
     const auto above = rising ? std::upper_bound(from.begin() + 1, from.end() - 1, x)
@@ -22,7 +22,7 @@ double interpolated(const std::vector<double> &from, const std::vector<double> &
     return to[i - 1] * (1 - share) + to[i] * share;
 }
 
-// Parameters at equal shares of the length, from points at equal steps.
+// Parameters at equal shares of the arc length, from points at equal steps of the parameter.
 std::vector<double> at_equal_lengths(Interval domain, const std::vector<Vector3> &points, size_t count) {
     std::vector<double> lengths{0}, params{domain.lower};
     for (size_t i = 1; i < points.size(); ++i) {
@@ -107,7 +107,7 @@ Vector3 CurvePairing::image(double s) const {
 
 namespace {
 
-// Towards the place where a curve, of which jet(x) tells point and derivative, comes nearest to a point.
+// Gauss-Newton steps from x to the foot point on a curve, whose point and derivative jet(x) returns.
 template <class JetOf>
 double nearer(double x, Interval domain, const Vector3 &point, JetOf &&jet) {
     for (int i = 0; i < 6; ++i) {
@@ -128,7 +128,8 @@ double nearer(double x, Interval domain, const Vector3 &point, JetOf &&jet) {
 
 } // namespace
 
-// What the lengths tell is off by less.
+// The interval in which the foot point is sought: the guess by arc lengths is expected to be closer than
+// that.
 Interval CurvePairing::around(double guess, Interval domain) noexcept {
     const double step = (domain.upper - domain.lower) / 16;
     return {std::max(domain.lower, guess - step), std::min(domain.upper, guess + step)};

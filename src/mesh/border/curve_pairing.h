@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which parameters of a curve in the domain of a face and of its edge in space belong together.
+// The correspondence of parameters between a curve in the domain of a face and the edge in space that it maps
+// to.
 #pragma once
 
 #include "face/face.h"
@@ -9,16 +10,19 @@
 
 namespace nrb::mesh {
 
-// One parameter follows from the other by a line where that is within a distance, as for curves that were made; else by the lengths
-// of both curves, and then from the nearest point.
+// If a linear map of the parameters keeps the image of the curve within `near` of the edge, as samples show,
+// it is used; it usually does where one curve was made from the other. Otherwise equal shares of both arc
+// lengths give a first guess, and Gauss-Newton steps lead from it to the foot point.
 class CurvePairing {
 public:
+    // `against`: whether curve and edge run in opposite directions.
     CurvePairing(const face::Face &face, const Spline &curve, const Spline &edge, bool against, double near);
 
-    // The parameter of the edge for that of the curve, and the other way round. Both rise or fall all the way.
+    // The parameter of the edge for one of the curve, and the other way round. Callers take both maps to be
+    // monotonic.
     [[nodiscard]] double on_edge(double s) const;
     [[nodiscard]] double on_curve(double t) const;
-    // Where the surface maps a place of the curve to.
+    // The point of the surface at a parameter of the curve.
     [[nodiscard]] Vector3 image(double s) const;
 
 private:
@@ -37,7 +41,9 @@ private:
     const Spline &edge_;
     bool against_;
     Interval curve_domain_, edge_domain_;
-    std::vector<double> s_, t_; // at equal shares of the lengths, rising and following; empty: by a line
+    // Parameters of curve and edge at equal shares of their arc lengths, in the order of s_, which rises.
+    // Empty: the map is linear.
+    std::vector<double> s_, t_;
 };
 
 } // namespace nrb::mesh

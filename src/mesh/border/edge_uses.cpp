@@ -14,19 +14,19 @@ namespace nrb::mesh {
 
 namespace {
 
-// Of a domain: what is nearer is one place but for rounding.
+// Relative to a domain: parameters that are closer are one place, up to rounding.
 constexpr double least_share = 0x1p-36;
 
-// The break of an axis that a parameter is near.
+// The break of an axis within `room` of a parameter, or the parameter itself if there is none.
 double at_break(const KnotVector &axis, double t, double room) noexcept {
     const auto knots = axis.knots();
     const auto next = std::ranges::lower_bound(knots, t - room);
     return next != knots.end() && *next <= t + room ? *next : t;
 }
 
-using FixedUse = std::pair<FixedPlace *, size_t>; // and of which use
+using FixedUse = std::pair<FixedPlace *, size_t>; // a place and the use that it is of
 
-// Whether no other place of the same curve is near; they rise.
+// Whether no other place of the same use is within `room`. The places are sorted.
 bool is_alone(const std::vector<FixedUse> &all, size_t i, double room) {
     const auto is_other = [&](size_t k) { return all[k].second != all[i].second; };
     const auto is_near = [&](size_t k) { return std::abs(all[i].first->edge - all[k].first->edge) <= room; };
@@ -42,7 +42,8 @@ bool is_alone(const std::vector<FixedUse> &all, size_t i, double room) {
 
 } // namespace
 
-// Pairs of parameters that are a line may be so near in space.
+// Linear maps of parameters are good enough if they keep images and edges within a small part of the chord
+// error.
 EdgeUses::EdgeUses(const model::Model &model, double chord) : model_(model), chord_(chord), borders_(model) {
     const double near = std::isfinite(chord) ? chord / 32 : 0;
     set_uses();
@@ -80,7 +81,7 @@ size_t EdgeUses::add_line(const SplinePtr &curve, std::vector<size_t> users) {
     return curves_.size() - 1;
 }
 
-// Edges of the model, and those that faces have for themselves.
+// The edges of the model, and then those that faces have for themselves.
 void EdgeUses::set_curves() {
     for (const model::Edge &edge : model_.edges) {
         std::vector<size_t> users;
@@ -105,7 +106,8 @@ void EdgeUses::pair_from(size_t first, double near) {
     }
 }
 
-// Behind curves that end farther from the next one than the tolerance.
+// Adds a segment after each curve whose end is farther from the start of the next one than the tolerance of
+// the face.
 void EdgeUses::add_gaps(int64_t number) {
     const auto &loops = face(number).loops();
     const auto end_of = [&](const EdgeUse &use, bool upper) {
@@ -155,7 +157,8 @@ bool EdgeUses::is_against(const EdgeUse &use) const noexcept {
     return !use.own && coedge_of(use).against;
 }
 
-// Where the border passes a seam, or a kink of the surface. What is near such a line is on it.
+// Fixes the places where the border crosses a seam, or a line at which the surface may have a kink. What is
+// near such a line counts as on it.
 void EdgeUses::add_fixed(int64_t number) {
     const face::BorderPieces border(face(number));
     const SnapLines lines(face(number), chord_);
@@ -182,7 +185,7 @@ void EdgeUses::fix(int64_t number, const face::BorderPieces &border, const LineP
     fix_at(uses_[at(number, place.loop, place.index)], place.param, passage.at);
 }
 
-// Unless a place is there but for rounding, as where a curve jumps past several lines.
+// Adds a fixed place unless there is one up to rounding, as where a curve jumps over several lines.
 void EdgeUses::fix_at(EdgeUse &use, double param, const face::Point2 &place) const {
     const Interval domain = curve_of(use).axis(0).domain();
     const double room = least_share * (domain.upper - domain.lower);
@@ -192,7 +195,8 @@ void EdgeUses::fix_at(EdgeUse &use, double param, const face::Point2 &place) con
     }
 }
 
-// Where a curve jumps, as along a pole that its edge passes, both sides are at one vertex.
+// Fixes the place where a curve jumps in the domain, as along a pole that its edge passes: both ends of the
+// jump are at one vertex.
 void EdgeUses::fix_jump(int64_t number, const face::BorderPieces &border, const face::TrimPiece &piece) {
     if (piece.range.lower != piece.range.upper) {
         return;
@@ -205,7 +209,7 @@ void EdgeUses::fix_jump(int64_t number, const face::BorderPieces &border, const 
     }
 }
 
-// On the segment behind a curve, if it is one that is far from the next.
+// Fixes a place on the segment that follows a curve, if it closes a gap.
 void EdgeUses::fix_behind(int64_t number, const face::BorderPieces &border, const LinePassage &passage) {
     const face::BorderPlace place = border.place_of(*passage.piece, 0);
     const bool turned = border.is_turned(*passage.piece);
@@ -230,7 +234,7 @@ void EdgeUses::align_fixed(size_t line) {
     }
     std::ranges::sort(all, {}, [](const FixedUse &own) { return own.first->edge; });
     double before = domain.lower;
-    size_t by = uses_.size(); // any other face may be there, too
+    size_t by = uses_.size(); // the use that `before` is of: at the lower end of the domain, none
     for (size_t i = 0; i < all.size(); ++i) {
         const auto [fixed, use] = all[i];
         if (fixed->edge - before <= room && use != by) {

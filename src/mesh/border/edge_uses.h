@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The curves of faces over the edges that they are on, and the places that these have to have vertices at.
+// The uses of edges by the curves of faces, and the places where the edges must have vertices.
 #pragma once
 
 #include "face/border_pieces.h"
@@ -15,26 +15,29 @@
 
 namespace nrb::mesh {
 
-// Where the curve of a face passes from one copy of its domain to the next, or a kink of its surface.
+// Where the curve of a face crosses a seam, into the next copy of the domain, or a line at which the surface
+// may have a kink.
 struct FixedPlace {
     double curve, edge; // parameters
-    face::Point2 place;
+    face::Point2 place; // in the domain
 };
 
-// A curve of a face, or the segment of its domain by which a loop goes on behind one.
+// The use of an edge by a face: a curve of a loop or, where the loop has a gap, the segment of the domain
+// that closes it.
 struct EdgeUse {
     int64_t face = 0;
-    int32_t loop = 0, index = 0; // of the curve, or of the one that the segment is behind
-    size_t line = 0;             // the edge that it is on
-    SplinePtr own{};             // the segment
+    int32_t loop = 0, index = 0; // of the curve, or of the one that the segment follows
+    size_t line = 0;             // the edge that is used
+    SplinePtr own{};             // the segment; null for a curve of the loop
     std::unique_ptr<CurvePairing> pairing{};
     std::vector<FixedPlace> fixed{};
 };
 
-// Edges are those of the model, in their order, then those of faces alone.
+// Collects all uses. A 'line' is the number of an edge: the edges of the model come first, in their order,
+// then those that a single face has for itself, such as those that close gaps.
 class EdgeUses {
 public:
-    // For meshes within a distance.
+    // `chord`: the chord error of the mesh.
     EdgeUses(const model::Model &model, double chord);
 
     [[nodiscard]] double chord() const noexcept { return chord_; }
@@ -46,23 +49,24 @@ public:
     [[nodiscard]] const std::vector<size_t> &users(size_t line) const noexcept { return users_[line]; }
     [[nodiscard]] const model::SharedBorders &borders() const noexcept { return borders_; }
 
-    // The use that a curve of a face is.
+    // The number of the use by a curve of a face.
     [[nodiscard]] size_t at(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<size_t>(borders_.number(face, loop, index));
     }
-    // The one behind it, if its end is far from the next curve.
+    // The use by the segment that follows a curve, if there is a gap between its end and the next curve.
     [[nodiscard]] std::optional<size_t> behind(int64_t face, int32_t loop, int32_t index) const noexcept;
-    // The first curve of a loop is behind its last one.
+    // The curve that follows in the loop, which is cyclic.
     [[nodiscard]] int32_t next_index(int64_t face, int32_t loop, int32_t index) const noexcept;
     [[nodiscard]] const face::Face &face_of(const EdgeUse &use) const noexcept { return face(use.face); }
     [[nodiscard]] const Spline &curve_of(const EdgeUse &use) const noexcept;
     // Whether curve and edge run in opposite directions.
     [[nodiscard]] bool is_against(const EdgeUse &use) const noexcept;
 
-    // What faces have at one place of an edge, but for rounding, is at one parameter, and so is what is at its ends. So is what is at
-    // a break: of what would be between them, nobody knows the direction.
+    // Makes parameters of fixed places on an edge equal where they differ by rounding only: those that
+    // different faces have at one place, and those at an end or a break of the edge. The direction of the
+    // edge between such parameters would not be known.
     void align_fixed(size_t line);
-    // Inside of the domain of an edge, rising.
+    // Parameters of the fixed places strictly inside the domain of an edge, rising and distinct.
     [[nodiscard]] std::vector<double> fixed_params(size_t line) const;
 
 private:
@@ -90,7 +94,7 @@ private:
     std::vector<EdgeUse> uses_;              // curves of faces first, in the order of SharedBorders
     std::vector<SplinePtr> curves_;          // of the lines
     std::vector<std::vector<size_t>> users_; // of the lines
-    std::map<size_t, size_t> gaps_;          // uses behind the uses of curves
+    std::map<size_t, size_t> gaps_;          // from the use of a curve to that of the segment that follows it
 };
 
 } // namespace nrb::mesh

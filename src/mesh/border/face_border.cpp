@@ -14,7 +14,7 @@ namespace {
 
 using face::Point2;
 
-// The control points of a part of a piece.
+// The control points of the part of a piece between two places.
 std::vector<Point2> control_points(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from,
                                    double to) {
     const std::span<const double> given = pieces.coefficients(piece);
@@ -34,12 +34,16 @@ std::vector<Point2> control_points(const face::TrimPieces &pieces, const face::T
     return points;
 }
 
-// Control points of a part of a curve, and the most that all but the first and the last have of a place on it together.
+// The control polygon of a part of a curve. `share`: an upper bound of the sum of the rational Bernstein
+// functions of all control points but the first and the last.
 struct PolygonPart {
     std::vector<Point2> points;
     double share;
 };
 
+// Bernstein functions of degree p have, at the two ends together, (1 - t)^p + t^p >= 2^(1-p), which is taken
+// at t = 1/2. The share grows with the weights inside and falls with those at the ends. Precondition: a
+// degree of 2 or more.
 double share_of_polygon(const face::TrimPieces &pieces, const face::TrimPiece &piece, double from,
                         double to) {
     double ends = infinity, inner = 0;
@@ -54,11 +58,12 @@ double share_of_polygon(const face::TrimPieces &pieces, const face::TrimPiece &p
         inner = *std::max_element(weights.begin() + 1, weights.end() - 1);
     }
     const double ratio = piece.weighted ? inner / ends : 1;
-    const double outer = std::ldexp(2.0, -piece.degree), rest = (1 - outer) * ratio; // at 1/2
+    const double outer = std::ldexp(2.0, -piece.degree), rest = (1 - outer) * ratio;
     return std::min(1.0, rest / (outer + rest) * (1 + 64 * eps));
 }
 
-// How far what belongs to a segment is from it, in periods of the domain across it, and along the axes.
+// Measures how far places that belong to a segment, such as those of its curve, are from it: across the
+// segment, with the sides of the domain as units, and along the axes.
 class SegmentRoom {
 public:
     SegmentRoom(const face::Covering &covering, const Point2 &a, const Point2 &b)
@@ -66,7 +71,8 @@ public:
           b_(b), along_{(b[0] - a[0]) / period_[0], (b[1] - a[1]) / period_[1]},
           squared_(along_[0] * along_[0] + along_[1] * along_[1]) {}
 
-    // A place that the segment is to have in its steps along the axes, or that is behind one of its ends.
+    // Extends the steps along the axes to reach a place. If it lies beyond an end of the segment, no step
+    // across reaches it.
     void take_in(Point2 x, BorderSegment &segment) const noexcept {
         x = in_copy(x);
         const double along =
@@ -77,7 +83,8 @@ public:
             segment.over[k] = std::max(segment.over[k], std::abs(x[k] - (a_[k] * (1 - t) + b_[k] * t)));
         }
     }
-    // Of the curve that a polygon controls, times the length of the segment.
+    // A bound of the distance between the curve of a control polygon and the line of the segment, times the
+    // length of the segment.
     [[nodiscard]] double most_across(const PolygonPart &part) const noexcept {
         double ends = 0, inner = 0;
         for (size_t i = 0; i < part.points.size(); ++i) {
@@ -86,15 +93,16 @@ public:
         }
         return std::max(ends, (1 - part.share) * ends + part.share * inner);
     }
+    // The step across the segment for such a bound.
     [[nodiscard]] Point2 step_across(double most) const noexcept {
         return {-along_[1] * most / squared_ * period_[0], along_[0] * most / squared_ * period_[1]};
     }
-    // Where a curve leaves the domain on an axis that does not close, there is no surface beyond the end: what is between the segment and
-    // the curve there is no longer than their common box in the domain.
+    // Where a curve leaves the domain on an axis that is not closed, there is no surface beyond the end. So
+    // what lies between the segment and the curve is no longer than their common box, clipped to the domain.
     void leave_out_beyond(const std::vector<PolygonPart> &hull, BorderSegment &segment) const noexcept;
 
 private:
-    // The copy of a place that is in the copy of the domain that the segment is in.
+    // The copy of a place, on closed axes, that is nearest to the middle of the segment.
     [[nodiscard]] Point2 in_copy(Point2 x) const noexcept {
         for (size_t k = 0; k < 2; ++k) {
             const double off = x[k] - (a_[k] / 2 + b_[k] / 2);
@@ -136,6 +144,8 @@ void SegmentRoom::leave_out_beyond(const std::vector<PolygonPart> &hull,
     }
 }
 
+// Follows the loops of a face piece by piece, and connects the vertices of the edges, where they are in the
+// domain.
 class BorderWalk {
 public:
     BorderWalk(const model::Model &model, int64_t number, const ModelEdges &edges)
@@ -177,13 +187,13 @@ private:
     FaceBorder result_;
     int32_t first_ = -1, last_ = -1; // points of the loop
     bool backwards_ = false;
-    int64_t line_ = -1, last_line_ = -1;
-    double last_edge_param_ = 0; // of an edge
-    std::array<double, 2> span_{nan_value, nan_value};
-    std::vector<PolygonPart> hull_; // of the curve since the last point
+    int64_t line_ = -1, last_line_ = -1;               // polylines of the next and of the last point
+    double last_edge_param_ = 0;                       // of the last point, on its edge
+    std::array<double, 2> span_{nan_value, nan_value}; // on the edge, of the next segment; NaN: it is of none
+    std::vector<PolygonPart> hull_;                    // of the curve since the last point
 };
 
-// Whether the way from one place to another leads over a seam, or along a pole.
+// Whether the step from one place to another crosses a seam, or runs along a pole.
 bool BorderWalk::jumps(const Point2 &a, const Point2 &b) const noexcept {
     const face::Covering &covering = face_.covering();
     for (int k = 0; k < 2; ++k) {
@@ -201,6 +211,7 @@ bool BorderWalk::jumps(const Point2 &a, const Point2 &b) const noexcept {
     return false;
 }
 
+// Notes the control polygon of the part of the curve from one vertex towards the next.
 void BorderWalk::collect(const face::TrimPiece &piece, double from, double to) {
     if (from < to && piece.degree > 1) {
         const std::vector<Point2> points = control_points(face_.trims().pieces(), piece, from, to);
@@ -211,7 +222,8 @@ void BorderWalk::collect(const face::TrimPiece &piece, double from, double to) {
     }
 }
 
-// The segment behind a curve, a part of it in one copy of the domain; its vertices are at equal parameters.
+// Adds the vertices of a segment that closes a gap. `piece`: the segment, in one copy of the domain; vertices
+// are placed on it in proportion to their parameters.
 void BorderWalk::add_behind(const face::TrimPiece &piece) {
     const face::BorderPlace at = border_.place_of(piece, 0);
     const bool turned = border_.is_turned(piece);
@@ -265,7 +277,8 @@ void BorderWalk::add(const face::TrimPiece &piece) {
     collect(piece, before, 1);
 }
 
-// Whether a point is that of a vertex, and near it in the domain: curves that meet in a corner need not end in one place.
+// Whether a border point is that of a vertex, and near its place in the domain: curves that meet in a corner
+// of space need not end at one place of the domain.
 bool BorderWalk::is_at(int32_t number, const Point2 &x, int32_t point) const noexcept {
     const BorderPoint &own = result_.points[static_cast<size_t>(number)];
     return own.point == point && std::abs(own.param[0] - x[0]) <= lines_.near(0) &&
@@ -295,13 +308,13 @@ int32_t BorderWalk::add_point(const Point2 &x, int32_t point) {
     return static_cast<int32_t>(result_.points.size() - 1);
 }
 
-// The same point on the other side of a seam on which it is.
+// Adds the same point on the other side of the seam that it is on.
 int32_t BorderWalk::other_side(size_t k, int32_t point) {
     const BorderPoint own = result_.points[static_cast<size_t>(point)];
     return add_point(lines_.other_side(k, own.param), own.point);
 }
 
-// Ends on a seam are taken on the side from which the other end comes.
+// An end on a seam is taken on that side of the seam on which the other end is.
 void BorderWalk::connect(int32_t from, int32_t to) {
     const auto param = [&](int32_t i) { return result_.points[static_cast<size_t>(i)].param; };
     for (size_t k = 0; k < 2; ++k) {
@@ -320,7 +333,7 @@ void BorderWalk::connect(int32_t from, int32_t to) {
     }
 }
 
-// What lies on a seam is on both of its sides.
+// A segment on a seam is there on both sides of it.
 void BorderWalk::mirror(const BorderSegment &segment) {
     for (size_t k = 0; k < 2; ++k) {
         if (lines_.on_seam(k, result_.points[static_cast<size_t>(segment.from)].param) &&
@@ -333,7 +346,7 @@ void BorderWalk::mirror(const BorderSegment &segment) {
     }
 }
 
-// With how far its curve is from it.
+// Adds a segment, with the bound of how far its curve is from it.
 void BorderWalk::add_segment(int32_t from, int32_t to) {
     const SegmentRoom room(face_.covering(), result_.points[static_cast<size_t>(from)].param,
                            result_.points[static_cast<size_t>(to)].param);

@@ -8,18 +8,20 @@ namespace nrb::mesh {
 
 struct BorderPoint {
     face::Point2 param;
-    int32_t point;
+    int32_t point; // of ModelEdges
 };
 
 struct BorderSegment {
-    int32_t from, to; // of the points
-    // No place between it and its curve is farther from it than by such a step, to one side or the other; if not `across`, along each axis.
+    int32_t from, to; // numbers in FaceBorder::points
+    // A bound, in the domain, of how far places between the segment and its curve are from the segment: no
+    // farther than the step `over` to one side or the other if `across`, else than |over[k]| along each axis
+    // k.
     face::Point2 over{};
     bool across = true;
-    // The polyline that it is of, -1: none, and the parameters of its ends on the edge.
+    // The polyline that the segment is of, -1: none, and the parameters of its ends on the edge.
     int64_t line = -1;
     std::array<double, 2> params{};
-    bool backwards = false; // the inside is to its right, else to its left
+    bool backwards = false; // whether the inside is to its right instead of its left
 };
 
 struct FaceBorder {
@@ -27,7 +29,7 @@ struct FaceBorder {
     std::vector<BorderSegment> segments;
 };
 
-// Loops that pass a seam end on its one side and go on on the other one.
+// Polygons that come to a seam end on one side of it and continue on the other side.
 FaceBorder border_of(const model::Model &model, int64_t face, const ModelEdges &edges);
 
 } // namespace nrb::mesh

@@ -15,27 +15,29 @@ namespace nrb::mesh {
 
 namespace {
 
-// Rounds of adding vertices for the sake of faces, each between two others.
+// Rounds in which vertices are added for the sake of faces, in the middle of segments.
 constexpr int most_polyline_rounds = 12;
 
-// Which lies on a curve under it.
+// Work of placing a vertex on the curve of a face.
 constexpr int64_t work_of_a_vertex = 1000;
 
-// Of the distance of a segment: where its halves are as far, the edge itself is off the face.
+// A part of a segment has to be closer than this share of the distance of the whole; otherwise the edge
+// itself is off the face, and dividing does not help.
 constexpr double no_better = 0.9;
 
-// A polyline, and how far each segment is from what faces have under it.
+// The parameters of a polyline, and how far each segment is from what the faces have under it.
 struct Segments {
     std::vector<double> params{}, distances{};
 
-    // Of the segment that holds a place.
+    // The distance of the segment that holds a parameter.
     [[nodiscard]] double distance_at(double t) const noexcept {
         const auto after = std::ranges::upper_bound(params, t);
         return distances.empty() ? infinity : distances[static_cast<size_t>(after - params.begin() - 1)];
     }
 };
 
-// In the middle of segments that are far, unless those that they are parts of were no farther.
+// The middles of segments that are too far off, except where the division that made them did not bring them
+// closer.
 std::vector<double> places_to_add(const Segments &now, const Segments &before, double chord) {
     std::vector<double> result;
     for (size_t i = 0; i < now.distances.size(); ++i) {
@@ -49,7 +51,8 @@ std::vector<double> places_to_add(const Segments &now, const Segments &before, d
     return result;
 }
 
-// Whether a vertex would be where one end of a segment is, but for rounding: two faces ask for one place of their edge.
+// Whether a parameter is so close to an end of a segment that it stands for the vertex there: two faces may
+// ask for the same place of their edge, up to rounding.
 bool is_beside(double param, Interval segment) noexcept {
     const double room = 0x1p-20 * (segment.upper - segment.lower);
     return param - segment.lower <= room || segment.upper - param <= room;
@@ -81,7 +84,7 @@ int64_t ModelEdges::line_behind(int64_t face, int32_t loop, int32_t index) const
     return static_cast<int64_t>(uses_[*uses_.behind(face, loop, index)].line);
 }
 
-// From each segment of a polyline to what faces have under it.
+// How far each segment of a polyline is from what the faces have under it, by samples.
 std::vector<double> ModelEdges::distances_of(size_t line, const std::vector<double> &params) const {
     std::vector<double> result(params.size() - 1, 0.0), on_curve(params.size());
     for (const size_t at : uses_.users(line)) {
@@ -123,7 +126,8 @@ int32_t ModelEdges::corner(int64_t number, const Vector3 &x) {
     return known->second;
 }
 
-// The point at an end of a polyline, which is that of a corner. In a gap there are two of these.
+// The point at an end of a polyline, which is that of a corner. At a gap there are two: one at the end of a
+// curve, and one at the start of the next.
 int32_t ModelEdges::end_of_line(size_t line, bool upper, const Vector3 &x) {
     const EdgeUse &use = uses_[uses_.users(line).front()];
     const model::SharedBorders &borders = uses_.borders();
@@ -160,7 +164,7 @@ void ModelEdges::set_points(size_t line, const Polyline &polyline) {
     }
 }
 
-// Of the uses of a polyline; the faces that these are of.
+// Updates the vertices of all uses of a polyline. Returns the faces that these are of.
 std::vector<int64_t> ModelEdges::update_users(size_t line) {
     std::vector<int64_t> faces;
     for (const size_t use : uses_.users(line)) {
@@ -170,7 +174,8 @@ std::vector<int64_t> ModelEdges::update_users(size_t line) {
     return faces;
 }
 
-// The bound of the segment that is divided stays that of its parts: a part of a curve within a distance of a convex set.
+// The bound of the polyline stays as it is: each part of the curve is within it of the segment that is
+// divided, a convex set.
 std::vector<int64_t> ModelEdges::add_vertices(int64_t number, std::span<const double> params) {
     const auto at = static_cast<size_t>(number);
     EdgeLine &line = lines_[at];
@@ -199,7 +204,8 @@ int32_t ModelEdges::add_point(size_t line, double param) {
     return static_cast<int32_t>(points_.size() - 1);
 }
 
-// What moves by less than that each stays within it of the curve.
+// If no vertex of a polyline moves farther than some distance, no point of it does: its bound grows by no
+// more than that.
 std::vector<int64_t> ModelEdges::unite(const std::vector<std::array<int32_t, 2>> &pairs) {
     std::unordered_map<int32_t, int32_t> stands_for;
     const auto stand_in = [&](int32_t point) {
@@ -233,7 +239,8 @@ std::vector<int64_t> ModelEdges::unite(const std::vector<std::array<int32_t, 2>>
     return faces;
 }
 
-// Where curve and edge run in the same direction the vertices rise. Those that were there before are where they were.
+// Sets the vertices of a use, in rising order of the parameters of its curve, which may run against the edge.
+// Vertices that were there before stay where they were.
 void ModelEdges::set_vertices(size_t number) {
     const EdgeLine &line = lines_[uses_[number].line];
     std::vector<CurveVertex> before = std::move(vertices_[number]), &vertices = vertices_[number];

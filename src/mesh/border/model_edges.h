@@ -13,49 +13,52 @@
 namespace nrb::mesh {
 
 struct EdgeLine {
-    int64_t edge = -1;             // of the model; -1: one of a face alone
-    std::vector<int32_t> points{}; // from its start to its end
-    std::vector<double> params{};
-    double bound = 0; // of its distance from the curve, both ways
-    bool reached = true;
+    int64_t edge = -1;             // number in the model; -1: only one face has it
+    std::vector<int32_t> points{}; // from the start of the edge to its end
+    std::vector<double> params{};  // of these points, on the edge
+    double bound = 0;              // of the Hausdorff distance from the edge
+    bool reached = true;           // whether each segment is proven to keep to the rule
 };
 
-// A vertex of the polyline of an edge, on the curve of a face in its domain.
+// A vertex of the polyline of an edge, as one face has it on its curve in the domain.
 struct CurveVertex {
-    double param;
+    double param; // on the curve
     int32_t point;
-    double edge_param;                   // of the edge
-    std::optional<face::Point2> place{}; // if it has to be there exactly, in the domain
+    double edge_param;                   // on the edge
+    std::optional<face::Point2> place{}; // in the domain, if the vertex has to be exactly there
 };
 
 class ModelEdges {
 public:
-    // Segments are within the distance of the rule of their edges, and so are, about, what the faces make of the segments between
-    // the same places of their domains. Vertices are also where curves pass from one copy of a domain to the next, and
-    // where a surface may have a kink.
+    // Each segment is within the chord error of the rule of its part of the edge, as proven, and, as samples
+    // show, of what the faces have there: the images of their curves, and of the segments between the same
+    // places of their domains. There are also vertices where curves cross a seam, into the next copy of a
+    // domain, and where a surface may have a kink.
     ModelEdges(const model::Model &model, const PolylineRule &rule);
 
     [[nodiscard]] const std::vector<Vector3> &points() const noexcept { return points_; }
     [[nodiscard]] const std::vector<EdgeLine> &lines() const noexcept { return lines_; }
     [[nodiscard]] double chord() const noexcept { return uses_.chord(); } // of the rule
-    // Of a curve of a face: rising.
+    // The vertices on a curve of a face, with rising parameters.
     [[nodiscard]] const std::vector<CurveVertex> &vertices(int64_t face, int32_t loop,
                                                            int32_t index) const noexcept {
         return vertices_[uses_.at(face, loop, index)];
     }
 
-    // Of the segment of the domain by which a loop goes on behind a curve whose end is far from the next one: empty if there is none.
+    // The vertices on the segment of the domain that closes the gap after a curve; empty if there is no gap.
     [[nodiscard]] const std::vector<CurveVertex> &vertices_behind(int64_t face, int32_t loop,
                                                                   int32_t index) const noexcept;
+    // The polyline under that segment. Precondition: there is a gap.
     [[nodiscard]] int64_t line_behind(int64_t face, int32_t loop, int32_t index) const noexcept;
     // The polyline under a curve of a face.
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<int64_t>(uses_[uses_.at(face, loop, index)].line);
     }
-    // Further vertices of the polyline of a number, at rising parameters, unless it has one there, to rounding; the faces that have
-    // them. Points keep their numbers.
+    // Adds vertices to a polyline at rising parameters, except where it has one up to rounding. Returns the
+    // faces that have the new vertices. Points keep their numbers.
     std::vector<int64_t> add_vertices(int64_t number, std::span<const double> params);
-    // Of each pair the first point in place of the second one, which a face cannot tell from it; the faces that have these.
+    // Replaces the second point of each pair by the first one: a face cannot tell them apart. Returns the
+    // faces that had replaced points.
     std::vector<int64_t> unite(const std::vector<std::array<int32_t, 2>> &pairs);
 
 private:
@@ -73,6 +76,7 @@ private:
     std::vector<EdgeLine> lines_;
     std::vector<std::vector<CurveVertex>> vertices_; // of the uses
     std::vector<Vector3> points_;
+    // Points by the corners of SharedBorders, and by -1 - i for the end of curve number i at a gap.
     std::map<int64_t, int32_t> corners_;
 };
 

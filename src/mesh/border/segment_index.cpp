@@ -33,12 +33,14 @@ SegmentIndex::SegmentIndex(const FaceBorder &border) : border_(border) {
 }
 
 size_t SegmentIndex::column(size_t k, double x) const noexcept {
-    // A box without width has one column: not a number, or infinite, which no whole number holds.
+    // In a box without width the share is NaN or infinite, which no integer holds: all segments are then in
+    // column 0.
     const double share = (x - box_.lower[k]) / box_.side(k) * static_cast<double>(columns_);
     return share > 0 ? static_cast<size_t>(std::min(share, static_cast<double>(columns_ - 1))) : 0;
 }
 
-// Apart along an axis, or all corners on one side of the line, with room for rounding.
+// Tests for a separating axis: segment and rectangle are apart along an axis of the domain, or all corners of
+// the rectangle are on one side of the line of the segment, by more than rounding.
 bool SegmentIndex::meets(int32_t number, const Rectangle &part) const noexcept {
     const BorderSegment &segment = border_.segments[static_cast<size_t>(number)];
     const auto &a = border_.points[static_cast<size_t>(segment.from)].param,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The segments of polygons by where they are.
+// A spatial index of the segments of the border of a face.
 #pragma once
 
 #include "mesh/border/face_border.h"
@@ -9,12 +9,12 @@
 
 namespace nrb::mesh {
 
-// In a grid of buckets over their box.
+// A uniform grid of buckets over the bounding box of the segments.
 class SegmentIndex {
 public:
     explicit SegmentIndex(const FaceBorder &border);
 
-    // Whether a segment comes into a rectangle.
+    // Whether a segment meets a rectangle, up to rounding.
     [[nodiscard]] bool any_in(const Rectangle &part) const noexcept;
 
 private:

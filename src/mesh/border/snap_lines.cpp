@@ -11,12 +11,13 @@ namespace nrb::mesh {
 
 namespace {
 
-// Of the domain, however small the tolerance, and however large.
+// Limits of snapping distances as shares of the domain, however small or large the tolerance is.
 constexpr double least_near = 1e-9, most_near = 1e-3;
-// Of the distance that is asked for.
+// The part of the chord error by which snapping may move places.
 constexpr double share_of_chord = 1.0 / 32;
 
-// The places inside the domain where homogeneous coordinates may have a kink along an axis.
+// The breaks inside the domain of an axis where homogeneous coordinates may have a kink: knots of a
+// multiplicity of at least the degree.
 std::vector<double> kinks_of(const KnotVector &axis) {
     std::vector<double> result;
     const std::vector<double> breaks = refine::breaks_of(axis);
@@ -72,16 +73,17 @@ face::Point2 SnapLines::other_side(size_t k, face::Point2 x) const noexcept {
 
 namespace {
 
-// Follows a loop along one axis, twice around, since it may begin on a line.
+// Finds where a loop crosses lines across axis k. It goes around twice, since the loop may begin on a line;
+// crossings of the second round count.
 class LoopWatch {
 public:
     LoopWatch(const face::Face &face, std::span<const face::TrimPiece> loop, const SnapLines &lines, size_t k,
               std::vector<LinePassage> &out)
         : face_(face), loop_(loop), lines_(lines), k_(k), out_(out) {}
 
-    // Past a line inside the domain.
+    // Crossings of a line inside the domain.
     void watch_line(double line) {
-        int before = 0;
+        int before = 0;                // the side of the line, -1 or 1, on which the loop was last
         std::optional<LinePassage> on; // the last place on the line
         for (size_t i = 0; i < 2 * loop_.size(); ++i) {
             const face::TrimPiece &piece = loop_[i % loop_.size()];
@@ -103,9 +105,9 @@ public:
             }
         }
     }
-    // From one end of the domain to the other.
+    // Crossings of the seam, from one end of the domain to the other.
     void watch_seam() {
-        int before = 0; // the end at which the last piece that was somewhere else came to the seam
+        int before = 0; // the end of the domain, -1 or 1, to which the last piece not along it came; 0: none
         std::optional<LinePassage> on;
         for (size_t i = 0; i < 2 * loop_.size(); ++i) {
             const face::TrimPiece &piece = loop_[i % loop_.size()];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines of a domain at which a surface closes up or may have a kink: what is near them counts as on them.
+// Lines of a domain to which nearby places are snapped: the ends of the domain, where a surface may close up
+// in a seam, and lines at which it may have a kink.
 #pragma once
 
 #include "face/face.h"
@@ -12,18 +13,20 @@ namespace nrb::mesh {
 
 class SnapLines {
 public:
-    // For meshes within a distance.
+    // `chord`: the chord error of the mesh.
     SnapLines(const face::Face &face, double chord);
 
-    // About the tolerance of the face, along an axis: for seams, and ends beyond which there is no surface.
+    // The snapping distance along axis k for seams, and for places beyond an end of the domain, where there
+    // is no surface: about the tolerance of the face.
     [[nodiscard]] double near(size_t k) const noexcept { return near_[k]; }
-    // For other lines: no more than a part of the distance, since what is moved in the domain is off in space.
+    // The snapping distance for all else: also limited to a part of the chord error, since moving a place in
+    // the domain moves its point in space.
     [[nodiscard]] double close(size_t k) const noexcept { return close_[k]; }
-    // Inside the domain, rising.
+    // Lines inside the domain at which the surface may have a kink, rising.
     [[nodiscard]] const std::vector<double> &inner(size_t k) const noexcept { return inner_[k]; }
     [[nodiscard]] bool closed(size_t k) const noexcept { return closed_[k]; }
     [[nodiscard]] Interval domain(size_t k) const noexcept { return domain_[k]; }
-    // A place, on all lines that it is near to.
+    // Moves a place to the lines that it is near.
     [[nodiscard]] face::Point2 snapped(face::Point2 x) const noexcept;
     // Whether a place is on a seam of an axis, and the same place on its other side.
     [[nodiscard]] bool on_seam(size_t k, const face::Point2 &x) const noexcept;
@@ -36,14 +39,15 @@ private:
     std::array<std::vector<double>, 2> inner_;
 };
 
-// Where pieces of a loop pass a line: a place from 0 to 1 of a piece, and of the domain.
+// Where a loop crosses a line.
 struct LinePassage {
     const face::TrimPiece *piece;
-    double place;
-    face::Point2 at;
+    double place;    // on the piece, from 0 to 1
+    face::Point2 at; // in the domain
 };
 
-// Of the pieces of one loop, in their order. Those that only touch a line, or run along it, do not pass it.
+// All crossings of one loop. `loop`: its pieces in their order. A piece that only touches a line, or runs
+// along it, does not cross it.
 std::vector<LinePassage> passages_of(const face::Face &face, const SnapLines &lines,
                                      std::span<const face::TrimPiece> loop);
 

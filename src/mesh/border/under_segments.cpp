@@ -10,12 +10,13 @@ namespace nrb::mesh {
 
 namespace {
 
-// Samples are evaluated for so many segments at once.
+// The number of segments whose samples are evaluated at once.
 constexpr size_t most_segments = 256;
-// Of a segment: both ends, and places in between.
+// Where a segment is sampled: at both ends, and in between.
 constexpr std::array<double, 5> shares{0, 0.25, 0.5, 0.75, 1};
 
-// In the plane: on the curve, then on the segments of the domain between the same ends.
+// The places of all samples in the plane that covers the domain: those on the curve, then those on the
+// segments between the same ends.
 std::vector<face::Point2> places(const Spline &curve, std::span<const double> params) {
     const size_t count = params.size() - 1, n = shares.size();
     std::vector<double> at;

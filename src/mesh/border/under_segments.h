@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a face has under the segments of a polyline.
+// How far a face is from the segments of a polyline of its border.
 #pragma once
 
 #include "face/face.h"
@@ -9,8 +9,9 @@
 
 namespace nrb::mesh {
 
-// How far it is from each segment at most, as samples have it: on its curve, or on the segment of its domain. Parameters of the curve at
-// the vertices.
+// For each segment between consecutive vertices, from samples: how far the image of the segment of the domain
+// is from the segment in space, plus how far the image of the curve is from that at equal parameters.
+// `params`: of the curve, at the vertices.
 std::vector<double> distances_under(const face::Face &face, const Spline &curve,
                                     std::span<const double> params);
 

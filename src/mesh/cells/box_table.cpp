@@ -8,12 +8,13 @@ namespace nrb::mesh {
 namespace {
 
 constexpr size_t fewest_slots = 64, most_slots = 4096;
-// As slots become more: boxes are moved seldom, and pages of memory without any are never touched.
+// The factor by which the room for slots grows: boxes are rarely moved then, and pages of memory without
+// boxes are never touched.
 constexpr size_t growth = 8;
 
 } // namespace
 
-// New cells come in the order of their numbers: until there are as many slots as there may be, each has its own.
+// New cells come in the order of their numbers: until all slots are in use, each cell has its own.
 void BoxTable::keep(int32_t cell, const HessianBox &box) {
     const size_t at = static_cast<size_t>(cell) % most_slots;
     if (at == slots_.size()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the second derivatives of a surface can be over the cells that were looked at last.
+// A cache of bounds of the second derivatives of a surface over cells.
 #pragma once
 
 #include "mesh/cells/cell_nets.h"
@@ -8,15 +8,16 @@
 
 namespace nrb::mesh {
 
-// A box takes 700 bytes, and as long to make anew as to write and read it far away, so that only some are kept: all of a small mesh,
-// and of a large one those that are near to each other in the order of cells.
+// A box takes 700 bytes, and about as long to compute again as to write to distant memory and read back. So
+// only some are kept, in a slot by the number of the cell: all of a small mesh, and of a large one those of
+// cells whose numbers are close.
 class BoxTable {
 public:
-    // `steps`: as of HessianBox::add().
+    // `steps`: as for HessianBox::add().
     BoxTable(const pieces::PieceGrid &grid, bool steps) : nets_(grid), steps_(steps) {}
 
     void keep(int32_t cell, const HessianBox &box);
-    // Of a cell over this part of the domain; until the next call.
+    // The box of a cell over this part of the domain. The reference is valid until the next call.
     [[nodiscard]] const HessianBox &box(int32_t cell, const Rectangle &part);
 
 private:

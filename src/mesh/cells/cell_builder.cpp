@@ -13,21 +13,22 @@ namespace nrb::mesh {
 
 namespace {
 
-// Cells of at most so many pieces have their nets; larger ones look at the pieces one after the other.
+// Cells of at most this many pieces keep the control nets of all of them; larger ones extract them one by
+// one.
 constexpr int64_t most_nets = 32;
-// Multiply-adds of looking at a net, estimated, for each of its numbers.
+// Multiply-adds, estimated, of looking at a net, for each of its numbers.
 constexpr int64_t work_for_a_number = 8;
 
-// Of the estimates by which a cell is cut or not, and of all else that is made for it.
+// Work of the estimates that decide whether a cell is cut, and of everything else that is done for it.
 constexpr int64_t work_of_a_cell = 800;
 
-// Steps of places in a block: all that cutting in two to eight parts leads to, in halves 22 times, and in thirds, fifths and sevenths 6, 3
-// and 2 times.
+// Cells end at multiples of 1 / raster of their block. These hold all places that cutting into two to eight
+// parts leads to, with up to 22 halvings and up to 6, 3 and 2 cuts into thirds, fifths and sevenths.
 constexpr double raster = 0x1p22 * 729 * 125 * 49;
-// Where weights may pass through 0 surfaces may have no end.
+// Limit on the depth where weights may be 0 or negative: the surface may be unbounded there.
 constexpr int most_divisions = 16;
 
-// The number among them that is nearest to t, if it is within a distance; else t.
+// The line nearest to t, if it is closer than `room`; else t.
 double nearest_line(const std::set<double> &lines, double t, double room) {
     const auto above = lines.lower_bound(t);
     double best = t, distance = room;
@@ -46,7 +47,8 @@ double nearest_line(const std::set<double> &lines, double t, double room) {
     return best;
 }
 
-// By how much the surface is about to differ, in its plane, from one that runs evenly along an axis.
+// An estimate of how far, in the plane of the cell, the surface is from one that runs at constant speed along
+// axis k.
 double uneven(const HessianBox &box, size_t k) noexcept {
     const auto along = [&](size_t c) { return (k == 0 ? box.of(c).uu : box.of(c).vv).most(); };
     return diagonal(along(0), along(1)) / (8 * box.least_weight());
@@ -84,7 +86,7 @@ double CellTree::Builder::build() {
         block_ = static_cast<int32_t>(i);
         add_block({i / across, i % across});
     }
-    tree_.cells_ = std::vector(std::as_const(tree_.cells_)); // without room for more
+    tree_.cells_ = std::vector(std::as_const(tree_.cells_)); // without spare capacity
     tree_.nodes_ = std::vector(std::as_const(tree_.nodes_));
     sort_lines();
     const auto &u = tree_.block_ends_[0], &v = tree_.block_ends_[1];
@@ -130,7 +132,7 @@ void CellTree::Builder::look_at(Item item) {
     const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
     const bool flat = found.whole && found.box.certain() && !bent && small && !is_turned(found.box);
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
-    const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // whatever it costs
+    const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // cut whatever it costs
     const bool enough = flat || side == Side::outside || hopeless || work_ended();
     const auto cut = [&] {
         return bent && !wide ? best_cut(bend, rule_.chord) : cut_of_flat(item.part, found.box);
@@ -142,12 +144,13 @@ void CellTree::Builder::look_at(Item item) {
     }
 }
 
-// Parts of what is inside are.
+// Parts of an item inside are inside.
 Side CellTree::Builder::side_of(const Item &item) const {
     return !rule_.side || item.side == Side::inside ? Side::inside : rule_.side(item.part);
 }
 
-// Elsewhere what comes out of a triangle is over others.
+// Whether an item is at an end of the domain. Elsewhere there are other triangles where the surface comes out
+// over a side of a triangle.
 bool CellTree::Builder::at_border(const Item &item) const noexcept {
     bool result = false;
     for (size_t k = 0; k < 2; ++k) {
@@ -157,7 +160,7 @@ bool CellTree::Builder::at_border(const Item &item) const noexcept {
     return result;
 }
 
-// An axis along which a part is longer than cells may be.
+// An axis along which a part is longer than cells may be, if there is one.
 std::optional<size_t> CellTree::Builder::wide_axis(const Rectangle &part) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         if (part.side(k) > rule_.most_sides[k]) {
@@ -167,7 +170,8 @@ std::optional<size_t> CellTree::Builder::wide_axis(const Rectangle &part) const 
     return std::nullopt;
 }
 
-// Where the surface is flat enough, across the longer side.
+// The cut of a part whose surface is flat enough: for the sake of its width in the domain, or of the angle,
+// or else of its longer side.
 Cut CellTree::Builder::cut_of_flat(const Rectangle &part, const HessianBox &box) const noexcept {
     if (const std::optional<size_t> wide = wide_axis(part)) {
         return {*wide, 0.5};
@@ -178,6 +182,7 @@ Cut CellTree::Builder::cut_of_flat(const Rectangle &part, const HessianBox &box)
     return {box.move(1, 0) >= box.move(0, 1) ? size_t{0} : size_t{1}, 0.5};
 }
 
+// Pushes the control nets of an item of few pieces on the stack, unless it has them.
 void CellTree::Builder::make_nets(Item &item) {
     if (item.nets >= 0 || item.pieces.count() > most_nets) {
         return;
@@ -206,7 +211,8 @@ std::array<double, 2> CellTree::Builder::factors(const Item &item, int64_t u, in
     return {item.part.side(0) / (a.upper - a.lower), item.part.side(1) / (b.upper - b.lower)};
 }
 
-// Of many pieces no more than it takes to see that they are not flat, unless all are wanted.
+// The bound of second derivatives over an item. Unless `all` are wanted, only as many of many pieces are
+// looked at as it takes to see that they are not flat.
 CellTree::Builder::Found CellTree::Builder::box_of(const Item &item, bool all) {
     std::array<std::array<double, HessianBox::coordinates>, 4> points;
     CellCorners corners;
@@ -262,8 +268,9 @@ void CellTree::Builder::add_cell(const Item &item, const HessianBox &box, Side s
     }
 }
 
-// Cuts of neighbours at one place are at one number, however they were computed: where they are not on the raster, and rounded to it more
-// than once, at the line that there is.
+// Rounds a place, so that cuts of neighbours at the same place get the same number, however that was
+// computed. Places that are not on the raster may be rounded to it more than once: an existing line that is
+// close enough takes precedence.
 double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const {
     const Rectangle block = tree_.block(block_);
     const double place = std::round((t - block.lower[k]) / block.side(k) * raster) / raster;
@@ -272,7 +279,7 @@ double CellTree::Builder::on_raster(const Item &item, size_t k, double t) const 
     return result > item.part.lower[k] && result < item.part.upper[k] ? result : t;
 }
 
-// Between two pieces if there are several.
+// Where to cut an item: between two pieces if there are several along the axis.
 double CellTree::Builder::place_to_cut(const Item &item, size_t k, double share) const {
     const double wanted = on_raster(item, k, item.part.lower[k] + share * item.part.side(k));
     if (item.pieces.count(k) == 1) {
@@ -316,7 +323,8 @@ bool CellTree::Builder::divide(Item &item, Cut cut) {
     return true;
 }
 
-// The nets of the upper part stay below those of the lower one, which is looked at first.
+// Divides control nets. On the stack, those of the lower part are above those of the upper one, because it is
+// looked at first.
 void CellTree::Builder::divide_nets(const Item &item, size_t k, double at, Item &low, Item &high) {
     if (item.nets < 0) {
         return;
@@ -349,7 +357,7 @@ void CellTree::Builder::divide_nets(const Item &item, size_t k, double at, Item 
     }
 }
 
-// Lines are numbered as they rise, and equal ones have one number.
+// Numbers the lines in rising order, equal ones with one number.
 void CellTree::Builder::sort_lines() {
     for (size_t k = 0; k < 2; ++k) {
         auto &lines = tree_.lines_[k];
@@ -376,7 +384,7 @@ void CellTree::Builder::sort_lines() {
     }
 }
 
-// A cell as it was when it was looked at.
+// The item of a cell that is to be divided further.
 CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
     Item item;
     item.lower = cell.lower;
@@ -388,8 +396,9 @@ CellTree::Builder::Item CellTree::Builder::item_of(const Cell &cell) {
     return item;
 }
 
-// Where the surface is flat enough and yet no proof is found: where it turns most, else where it runs least evenly, since what comes out over
-// sides is told from second derivatives, else across the longer side.
+// The axis to cut a cell along where the surface is flat enough, and yet no proof was found: the one along
+// which it turns most; else the one along which it runs least evenly, because the bound of what comes out
+// over sides depends on second derivatives in the plane; else the longer one.
 size_t CellTree::Builder::axis_of_flat(const Rectangle &part, const HessianBox &box) const noexcept {
     if (const CellTurn turn = turn_of(box, rule_.least); rule_.angle > 0 && turn.both > rule_.angle / 2) {
         return turn.along[0] >= turn.along[1] ? 0 : 1;
@@ -404,7 +413,7 @@ void CellTree::Builder::cut(int32_t number) {
     Item item = item_of(cell);
     const HessianBox box = tree_.box(number);
     CellBend bend = bend_of(box);
-    bend.alone = true; // no help of others was enough, but in the end triangles do without
+    bend.alone = true; // the help of neighbours was not enough, but small triangles do without
     const bool bent = !(bend.in_parts(1, 1) <= rule_.chord);
     const size_t axis =
         bent ? (bend.in_parts(2, 1) <= bend.in_parts(1, 2) ? 0 : 1) : axis_of_flat(item.part, box);
@@ -415,7 +424,7 @@ void CellTree::Builder::cut(int32_t number) {
         pool_.clear();
         return;
     }
-    // The old leaf leads on to the new node.
+    // The former leaf leads on to the new node.
     tree_.nodes_[static_cast<size_t>(cell.node)] = {2, node, 0};
     while (!open_.empty()) {
         const Item next = open_.back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes the cells of a tree.
+// Builds a tree of cells by adaptive subdivision, and divides its cells further.
 #pragma once
 
 #include "mesh/cells/cell_shape.h"
@@ -10,7 +10,8 @@
 
 namespace nrb::mesh {
 
-// Goes into depth, so that nets of cells are needed along one way only; they lie on each other in one array.
+// Works depth first, so that control nets of cells are needed along one path of the tree only. They form a
+// stack in one array.
 class CellTree::Builder {
 public:
     Builder(const pieces::PieceGrid &grid, const CellRule &rule, CellTree &tree)
@@ -22,22 +23,24 @@ public:
         }
     }
 
-    // Returns the share of the domain in which cells are as small as they are to be.
+    // Returns the share of the area of the domain in which cells are as small as they have to be.
     [[nodiscard]] double build();
+    // Cuts a cell in two. Lines are then no longer sorted, until sort_lines().
     void cut(int32_t number);
     void sort_lines();
 
 private:
+    // A part of the domain that becomes a cell, or is divided.
     struct Item {
-        std::array<int32_t, 2> lower, upper; // lines
+        std::array<int32_t, 2> lower, upper; // numbers of lines
         Rectangle part;
         PieceRange pieces;
-        int64_t nets = -1;   // where they begin
-        int32_t parent = -1; // whose upper child it is
-        int32_t cell = -1;   // which it takes the place of
+        int64_t nets = -1;   // where its control nets begin in the stack, -1: it has none
+        int32_t parent = -1; // the node whose upper child it is, -1: none
+        int32_t cell = -1;   // the cell that it replaces, -1: none
         int divisions = 0;
-        Side side = Side::outside;   // known of parts of what is inside
-        std::optional<size_t> cut{}; // along which axis, whatever it is like
+        Side side = Side::outside;   // inside: known, since it is part of an item inside
+        std::optional<size_t> cut{}; // the axis along which it is cut without looking at it
     };
 
     void set_blocks();
@@ -55,7 +58,7 @@ private:
     void make_nets(Item &item);
     struct Found {
         HessianBox box;
-        bool whole = true; // all pieces were looked at
+        bool whole = true; // whether all pieces were looked at
     };
     [[nodiscard]] Found box_of(const Item &item, bool all);
     [[nodiscard]] const double *net_of(const Item &item, int64_t u, int64_t v);
@@ -72,12 +75,12 @@ private:
     const CellRule &rule_;
     CellTree &tree_;
     CellNets nets_;
-    std::vector<double> one_;
-    std::vector<double> pool_;
+    std::vector<double> one_;  // a single net
+    std::vector<double> pool_; // the stack of nets
     std::vector<Item> open_;
-    std::array<std::set<double>, 2> known_; // where lines are
+    std::array<std::set<double>, 2> known_; // parameters of lines
     int32_t block_ = 0;
-    double left_ = 0; // area of what is not done
+    double left_ = 0; // area of cells that are still too large
 };
 
 } // namespace nrb::mesh

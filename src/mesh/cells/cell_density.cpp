@@ -8,7 +8,8 @@ namespace nrb::mesh {
 
 namespace {
 
-// Of the sides of the cells that the border cuts: near poles these are short along one axis, and count for little there.
+// The means of the squared lengths of the sides of the cells that the border cuts, weighted by their areas in
+// the domain: near poles, sides along one axis are short, and such cells should count for little.
 std::array<double, 2> mean_squares(const CellTree &tree) {
     std::array<double, 2> sums{};
     double areas = 0;

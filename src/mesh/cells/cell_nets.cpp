@@ -17,7 +17,7 @@ CellNets::CellNets(const pieces::PieceGrid &grid)
     values_ = static_cast<size_t>((degrees_[0] + 1) * (degrees_[1] + 1)) * HessianBox::coordinates;
 }
 
-// An axis of degree 0 has one layer, which is both of those of degree 1.
+// Along an axis of degree 0 there is one layer, which is used for both layers of degree 1.
 void CellNets::extract(int64_t u, int64_t v, double *net) {
     grid_.patch(grid_.piece({u, v, 0}), work_.data(), patch_.data());
     const pieces::PatchShape &shape = grid_.shape();
@@ -45,7 +45,8 @@ Interval CellNets::part_of(const Rectangle &part, size_t k, int64_t piece) const
 
 namespace {
 
-// Coefficients of [outer][degree + 1][inner] over a part of [0, 1]; as restrict_to(), for all of them at once. inner: a multiple of 4.
+// Restricts all coefficients [outer][degree + 1][inner] to a part of [0, 1], as restrict_to() does.
+// Precondition: `inner` is a multiple of 4.
 void restrict_layers(const AxisLayers &layers, double lower, double upper, double *values) noexcept {
     const int p = layers.degree;
     const auto mix = [&](double *to, double a, const double *x, double b, const double *y) {
@@ -107,7 +108,8 @@ PieceRange CellNets::pieces_in(const Rectangle &part) const noexcept {
     return result;
 }
 
-// What a piece has of a part, and more where that is so little that rounding would count.
+// The overlap of a piece and a part, widened where it is so small that rounding errors would be large
+// relative to it.
 Rectangle CellNets::wide_part(const Rectangle &part, const std::array<int64_t, 2> &piece) const noexcept {
     Rectangle result;
     for (size_t k = 0; k < 2; ++k) {
@@ -150,7 +152,7 @@ HessianBox CellNets::box(const Rectangle &part, const PieceRange &pieces, bool s
     return result;
 }
 
-// Each division takes a few roundings for each degree, each of the radius.
+// Each division takes a few roundings for each degree, each relative to the radius.
 double CellNets::noise(int divisions) const noexcept {
     return eps * (16 + 4.0 * divisions * (degrees_[0] + degrees_[1])) * grid_.radius();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The Bezier pieces of a surface over the cells of a search that goes into depth.
+// Control nets of the Bezier pieces of a surface over parts of its domain, and bounds of second derivatives
+// from them.
 #pragma once
 
 #include "mesh/proof/triangle_bound.h"
@@ -10,7 +11,7 @@
 
 namespace nrb::mesh {
 
-// Pieces [lower, upper) along each axis.
+// The pieces [lower, upper) along each axis.
 struct PieceRange {
     std::array<int64_t, 2> lower{}, upper{};
 
@@ -18,7 +19,8 @@ struct PieceRange {
     [[nodiscard]] int64_t count() const noexcept { return count(0) * count(1); }
 };
 
-// Nets [u][v] of (x, y, z, w), in the frame of the grid, of the parts of pieces that make up a cell. Axes of degree 0 have degree 1.
+// Control nets [u][v] of homogeneous points (x, y, z, w), in the frame of the grid, of pieces or of the parts
+// of them that make up a cell. Axes of degree 0 are treated as of degree 1.
 class CellNets {
 public:
     explicit CellNets(const pieces::PieceGrid &grid);
@@ -26,17 +28,19 @@ public:
     [[nodiscard]] const pieces::PieceGrid &grid() const noexcept { return grid_; }
 
     [[nodiscard]] int degree(size_t k) const noexcept { return degrees_[k]; }
-    [[nodiscard]] size_t values() const noexcept { return values_; } // of a net
-    // Of a whole piece: [values()].
+    [[nodiscard]] size_t values() const noexcept { return values_; } // number of doubles of a net
+    // The net of a whole piece: [values()].
     void extract(int64_t u, int64_t v, double *net);
-    // Of what a piece has of a part of the domain.
+    // The net of a piece restricted to a part of the domain.
     void extract(int64_t u, int64_t v, const Rectangle &part, double *net);
+    // The interval along axis k that a part and a piece have in common.
     [[nodiscard]] Interval part_of(const Rectangle &part, size_t k, int64_t piece) const noexcept;
-    // The pieces that a part has inside.
+    // The pieces that overlap a part.
     [[nodiscard]] PieceRange pieces_in(const Rectangle &part) const noexcept;
-    // Over a part of the domain, with an axis across a plane of it. `steps`: as of HessianBox::add().
+    // The bound of second derivatives over a part of the domain, in axes of which the last one is normal to a
+    // plane through it. `steps`: as for HessianBox::add().
     [[nodiscard]] HessianBox box(const Rectangle &part, const PieceRange &pieces, bool steps = true);
-    // How far coefficients may be from exact ones after so many divisions, relative to the largest weight.
+    // A bound of the rounding error of coefficients after so many divisions, relative to the largest weight.
     [[nodiscard]] double noise(int divisions) const noexcept;
 
 private:
@@ -47,7 +51,7 @@ private:
     std::array<int, 2> degrees_{1, 1};
     size_t values_ = 0;
     std::vector<double> patch_, work_, net_;
-    std::vector<double> whole_; // the net of the last piece
+    std::vector<double> whole_; // the net of the piece that was extracted last
     std::array<int64_t, 2> last_{-1, -1};
 };
 

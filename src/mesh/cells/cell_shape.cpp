@@ -9,22 +9,24 @@ namespace nrb::mesh {
 
 namespace {
 
-// Where a cell needs more parts, it is halved.
+// A cell that needs more parts than this along an axis is halved.
 constexpr double most_parts = 8;
-// Of the width of a cell, for triangles to be over those beside them only.
+// The share of the width of a cell by which the surface may come out of a triangle and still be over adjacent
+// triangles only.
 constexpr double most_out = 0.25;
-// By what second derivatives differ in parts that are alike, relative to them.
+// The largest relative variation of second derivatives over parts that count as alike.
 constexpr double most_varied = 0.1;
-// By what factor a half is to be over the tolerance for both halves to be over it, and for it to need more than most_parts / 2 parts.
+// By what factor the halves of a cell exceed the tolerance: from certainly_over on, both of them do for
+// certain; from far_over on, a half needs more than most_parts / 2 parts.
 constexpr double certainly_over = 2, far_over = 16;
-// What slopes count about, in bounds of meshes.
+// The approximate weight of slopes in the bounds of MeshBound.
 constexpr double slope_times = 0.15;
 
 Vector3 point_of(const double *corner) noexcept {
     return (1 / corner[3]) * Vector3{corner[0], corner[1], corner[2]};
 }
 
-// A unit vector of a direction, or another one if it has none.
+// The unit vector of v, or another one if v has no direction.
 Vector3 direction(const Vector3 &v, const Vector3 &other) noexcept {
     const double size = length(v);
     return size > 0 && std::isfinite(size) ? (1 / size) * v : other;
@@ -49,8 +51,9 @@ HessianBox box_about(const CellCorners &corners) noexcept {
 
 namespace {
 
-// The most of the second derivative, across each of the two sides along axis k, that the function has which is 0 in both ends of that
-// side: A - w P along an axis, for P on this side and on the other.
+// For each of the two sides along axis k, let N be the coordinate of A - w P in the plane of the cell and
+// across that side, with P on it, so that N is 0 at both of its ends. The result is the most |second
+// derivative| of N along the side, for both sides.
 double beside_sides(const HessianBox &box, size_t k) noexcept {
     const Hessian &coordinate = box.of(1 - k), &weight = box.of(3);
     const Range &a = k == 0 ? coordinate.uu : coordinate.vv, &w = k == 0 ? weight.uu : weight.vv;
@@ -83,11 +86,11 @@ namespace {
 
 using Place = std::array<double, 2>;
 
-// Over the triangle of three corners of a part, about its middle, of which the second one is beside the first one along u, and beside the
-// third one along v.
+// How far heights are from their linear interpolant over the triangle abc of three corners of a part, whose
+// places are relative to the middle of the cell: b differs from a along u, and from c along v.
 double over_triangle(const Hessian &h, const Place &a, const Place &b, const Place &c) noexcept {
     const double u = b[0] - a[0], v = c[1] - b[1];
-    const auto bends = [&](const Place &x) { // along sides, which are opposite of corners
+    const auto bends = [&](const Place &x) { // second derivatives along the sides opposite of a, b and c
         const double uu = h.uu.at(x[0], x[1]) * u * u, vv = h.vv.at(x[0], x[1]) * v * v;
         return Four(vv, uu + 2 * h.uv.at(x[0], x[1]) * u * v + vv, uu, 0);
     };
@@ -97,14 +100,15 @@ double over_triangle(const Hessian &h, const Place &a, const Place &b, const Pla
 
 } // namespace
 
-// By how much the normal turns over a part.
+// The change of slopes over a part of u by v sides of the cell, at most 1.
 double CellBend::slope(double u, double v) const noexcept {
     const double most =
         std::max(diagonal(slopes[0] * u, slopes[1] * u), diagonal(slopes[2] * v, slopes[3] * v));
     return std::isfinite(most) ? std::min(most, 1.0) : 1.0;
 }
 
-// Where triangles have others around, what comes out of them counts by the slopes of these (mesh_bound.h).
+// Adds what comes out over the sides, `out`, to a height. Where a triangle has others around it, it counts by
+// the slopes of these only (mesh_bound.h).
 double CellBend::with_out(double height, double u, double v) const noexcept {
     const double out = std::max(beside[0] * u * u, beside[1] * v * v);
     const double width = std::min(speeds[0] * u, speeds[1] * v);
@@ -112,7 +116,7 @@ double CellBend::with_out(double height, double u, double v) const noexcept {
                                            : height + (out + height) * slope_times * slope(u, v);
 }
 
-// Of several parts, that in the middle of which the surface bends most.
+// Of all parts, the one in the middle of which the surface bends most counts.
 double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
     const double u = 1 / u_parts, v = 1 / v_parts, a = u / 2, b = v / 2;
     const auto part = [&](const Range &range) {
@@ -121,7 +125,7 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
                      range.radius};
     };
     const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv)};
-    // The diagonal that triangles are going to have: over which the middle bends less.
+    // Triangles are going to have the diagonal along which the surface bends less in the middle of the cell.
     const bool rising = std::abs(heights.along(u, v)) <= std::abs(heights.along(u, -v));
     const double height = rising ? std::max(over_triangle(h, {-a, -b}, {a, -b}, {a, b}),
                                             over_triangle(h, {a, b}, {-a, b}, {-a, -b}))
@@ -132,7 +136,7 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
 
 namespace {
 
-// As few parts as it takes along both axes, if no axis needs many.
+// As few parts along both axes as keep to the tolerance; two each if an axis needs many.
 std::array<double, 2> parts_for(const CellBend &bend, double chord) noexcept {
     std::array<double, 2> parts{1, 1};
     while (!(bend.in_parts(parts[0], parts[1]) <= chord)) {
@@ -152,13 +156,14 @@ std::array<double, 2> parts_for(const CellBend &bend, double chord) noexcept {
     return parts;
 }
 
-// Whether parts along an axis are going to be alike.
+// Whether the surface bends about as much in all parts along an axis.
 bool are_alike(const Hessian &heights, size_t axis) noexcept {
     const Range &range = axis == 0 ? heights.uu : heights.vv;
     return !(range.width() > most_varied * std::abs(range.middle));
 }
 
-// In two halves, of so many parts.
+// A cut of so many equal parts into two groups that are as equal as possible; in the middle if there are many
+// parts.
 Cut halves(size_t axis, double parts) noexcept {
     return {axis, parts > 2 && parts <= most_parts ? std::floor(parts / 2) / parts : 0.5};
 }
@@ -167,7 +172,8 @@ Cut halves(size_t axis, double parts) noexcept {
 
 namespace {
 
-// Of halves that are over the tolerance by so much: where the best cuts of these are in their middle for certain.
+// The axis along which both halves of a cell are best cut in the middle, if that is certain: halves exceed
+// the tolerance by the factor `over`.
 std::optional<size_t> cut_of_halves(const CellBend &bend, size_t axis, double over) noexcept {
     if (!(over > certainly_over)) {
         return std::nullopt;
@@ -190,7 +196,7 @@ Cut best_cut(const CellBend &bend, double chord) noexcept {
     return cut;
 }
 
-// The slopes of the surface over the plane of the cell change by its second derivatives.
+// The slopes of the surface over the plane of the cell change by second derivatives of its height.
 CellTurn turn_of(const HessianBox &box, double least) noexcept {
     const Hessian &height = box.of(2);
     const double mixed = height.uv.most(), w = box.least_weight();
@@ -206,7 +212,7 @@ CellTurn turn_of(const HessianBox &box, double least) noexcept {
             diagonal(slopes[0][0] + slopes[0][1], slopes[1][0] + slopes[1][1])};
 }
 
-// What the other axis leaves is for this one, but no less than its half.
+// The axis may use what the other one leaves of the angle, in squares, but no less than half of it.
 Cut cut_for_angle(const HessianBox &box, const CellTurn &turn, double angle) noexcept {
     const size_t axis = turn.along[0] >= turn.along[1] ? 0 : 1;
     const double other = turn.along[1 - axis];

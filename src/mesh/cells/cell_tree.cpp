@@ -29,12 +29,12 @@ CellTree::CellTree(const pieces::PieceGrid &grid, const CellRule &rule)
         if (done == 1 || was_ended || attempt == most_attempts) {
             return;
         }
-        // The next attempt has half of the work of the last one, and is to get along with less.
+        // The next attempt has half as much work as this one, and has to make do with less than that.
         coarsen(2.5 / std::max(done, 1e-4));
     }
 }
 
-// The number of cells falls as distances rise.
+// The number of cells is about inversely proportional to the chord error.
 void CellTree::coarsen(double factor) {
     coarsening_ *= factor;
     rule_.chord *= factor;
@@ -65,8 +65,8 @@ void CellTree::clear() noexcept {
 
 namespace {
 
-// For so many more, and for the few of later rounds: each move of all takes its time, and of large meshes room that is not used is a good
-// part of all memory.
+// Makes room for so many more, and for the few of later rounds. Moving all elements takes time; but in large
+// meshes spare capacity is a good part of all memory.
 template <class T>
 void make_room(std::vector<T> &values, size_t more) {
     if (values.capacity() < values.size() + more) {

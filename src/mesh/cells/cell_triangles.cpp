@@ -15,7 +15,7 @@ enum : unsigned { on_left = 1, on_right = 2, on_bottom = 4, on_top = 8 };
 constexpr size_t most_stops = 48;
 constexpr int64_t work_of_a_stop = 16;
 
-// How many stops lie on each side.
+// The numbers of stops on each side of the cell.
 class SideCounts {
 public:
     template <typename Stops>
@@ -26,7 +26,7 @@ public:
             }
         }
     }
-    // Whether the others lie on one side, without a stop on these sides.
+    // Whether, without a stop on these sides, all others lie on one side.
     [[nodiscard]] bool flat_without(unsigned sides) const noexcept {
         bool flat = false;
         for (size_t k = 0; k < 4; ++k) {
@@ -43,7 +43,7 @@ private:
     std::array<size_t, 4> counts_{};
 };
 
-// So that those on a side come first: they follow each other around the cell.
+// Rotates the stops such that those on a side, which are consecutive around the cell, come first.
 template <typename Stops>
 void rotate_to_start(Stops &stops, unsigned side) {
     const auto off = std::ranges::find_if(stops, [&](const auto &stop) { return (stop.sides & side) == 0; });
@@ -52,7 +52,7 @@ void rotate_to_start(Stops &stops, unsigned side) {
     std::rotate(stops.begin(), on, stops.end());
 }
 
-// Of those on other sides, the one that lies least far along this side from the middle one.
+// Of the stops that are not on this side, the one nearest to the middle stop as measured along this side.
 template <typename Stops>
 size_t opposite_of(const Stops &stops, unsigned side, size_t middle) {
     const auto along = [&](const auto &stop) { return (side & (on_left | on_right)) != 0 ? stop.v : stop.u; };
@@ -96,7 +96,7 @@ CellTriangles::Stops CellTriangles::stops_of(const PlaceTable &table, const Cell
     return stops;
 }
 
-// The stop whose cut costs least in bends of the surface.
+// The ear over whose cut the surface bends least.
 size_t CellTriangles::best_ear(const Stops &stops, const Cell &cell) {
     const size_t n = stops.size();
     const SideCounts counts(stops);
@@ -127,7 +127,8 @@ void CellTriangles::cut_ears(Stops stops, const Cell &cell, std::vector<std::arr
     }
 }
 
-// From the middle of the side with most stops to what is opposite: both parts have an eighth of the stops or more.
+// Cuts many stops in two, from the middle one of the side with most stops to the opposite one: both parts
+// have an eighth of the stops or more.
 void CellTriangles::make_in_parts(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out) {
     if (stops.size() <= most_stops) {
         return cut_ears(std::move(stops), cell, out);

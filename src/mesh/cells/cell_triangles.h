@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles in a cell with places on its border.
+// Divides a cell with places on its border into triangles, by ear clipping.
 #pragma once
 
 #include "mesh/cells/place_table.h"
@@ -9,21 +9,24 @@
 
 namespace nrb::mesh {
 
-// Cuts off ears, first those over which the surface bends least, and none that would leave nothing but one side. Cells with many
-// places are halved before, since ears take time in proportion to the square of their number.
+// Ears over which the surface bends least are cut off first, but none such that all remaining places would
+// lie on one side of the cell. Cells with many places are cut in two before that, since ear clipping takes
+// quadratic time.
 class CellTriangles {
 public:
     explicit CellTriangles(const CellTree &tree) : tree_(tree) {}
 
-    // Border: as of a PlaceTable; `out` takes the triangles.
+    // `border`: the places on the border of the cell, as from PlaceTable::border(). Triangles are appended to
+    // `out`.
     void make(const PlaceTable &table, const Cell &cell, const std::vector<int32_t> &border,
               std::vector<std::array<int32_t, 3>> &out);
 
 private:
+    // A place on the border of the cell.
     struct Stop {
         int32_t place;
-        unsigned sides; // of the cell on which it lies, as bits
-        double u, v;    // in the cell
+        unsigned sides; // the sides of the cell on which it lies, as bits
+        double u, v;    // where it is in the cell, from 0 to 1
     };
     using Stops = std::vector<Stop>;
     static void make_two(const Cell &cell, const std::vector<int32_t> &border,

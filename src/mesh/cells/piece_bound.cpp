@@ -38,7 +38,7 @@ TriangleBound PieceBound::bound(const std::array<TriangleCorner, 3> &corners, co
             }
         }
     }
-    result.out = result.whole = result.height; // distances, whatever the direction
+    result.out = result.whole = result.height; // a distance, whatever the direction
     result.outs.fill(result.height);
     return result;
 }
@@ -52,7 +52,7 @@ void PieceBound::place_corners(const CutPolygon &polygon) {
             params_.push_back(std::clamp(place.at[k], block_.lower[k], block_.upper[k]));
         }
     }
-    // Blocks are continuous, so that one side of lines inside is as good as the other.
+    // The surface is continuous in a block, so that limits from both sides agree at breaks inside.
     eval::AxisRules rules{};
     for (size_t k = 0; k < 2; ++k) {
         rules[k].left =
@@ -69,7 +69,7 @@ void PieceBound::place_corners(const CutPolygon &polygon) {
     }
 }
 
-// The whole piece along an axis along which the polygon has no extent.
+// The box of the polygon in the domain, with the whole piece along an axis along which it has no extent.
 Rectangle PieceBound::around(const std::array<int64_t, 2> &piece) const noexcept {
     Rectangle result{corners_.front().param, corners_.front().param};
     for (size_t k = 0; k < 2; ++k) {
@@ -99,7 +99,8 @@ void PieceBound::add(const CutPolygon &polygon, const std::array<int64_t, 2> &pi
     add_parts(polygon, off, result);
 }
 
-// Whether no triangle of a polygon is farther from the surface at equal parameters than allowed: that bounds all the rest.
+// Whether no triangle of the polygon is farther from the surface at equal parameters than allowed. That
+// distance bounds all others.
 bool PieceBound::is_enough(const CellPart &cell, double allowed) {
     double most = 0;
     for (size_t i = 1; i + 1 < corners_.size() && most <= allowed; ++i) {
@@ -136,7 +137,8 @@ void PieceBound::add_parts(const CutPolygon &polygon, double off, TriangleBound 
     }
 }
 
-// Pieces are small where there are several: what they are all over is mostly enough, and many triangles ask for it.
+// The bound over a whole piece, which is kept. Where there are several pieces they are small, so that it is
+// mostly enough, and many triangles ask for it.
 CellPart PieceBound::whole_piece(const std::array<int64_t, 2> &piece) {
     constexpr size_t most_kept = 4096;
     if (boxes_.size() >= most_kept) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a triangle is from a surface of several pieces.
+// Bounds how far a triangle is from a surface that has several pieces over it.
 #pragma once
 
 #include "mesh/cells/cell_nets.h"
@@ -10,15 +10,17 @@
 
 namespace nrb::mesh {
 
-// The triangle is cut along the lines at which pieces end. Each part is near the triangle of its own corners, which are places of the
-// surface; and that is as near to the whole triangle as its corners are, since that is convex. Where the surface bends
-// in one piece only, or its parameters change their pace, that is far better than the most of all second derivatives.
+// In the domain, the triangle is cut along the lines at which pieces end. The surface over each part is close
+// to triangles in space whose corners are on the surface; and those are as close to the whole triangle as
+// their corners are, since it is convex. Where the surface bends in one piece only, or its parametrisation
+// changes its speed from piece to piece, this is far better than a bound by the largest second derivatives of
+// all pieces.
 class PieceBound {
 public:
     PieceBound(const Spline &surface, CellNets &nets) : surface_(surface), nets_(nets) {}
 
-    // `block`: a part of the domain in which the surface has no kinks, and from which it is looked at. `enough`: what is within it
-    // needs no better proof.
+    // `block`: the part of the domain that the triangle is in, inside which the surface has no kinks or
+    // jumps. `enough`: a bound that does not exceed this need not be improved.
     TriangleBound bound(const std::array<TriangleCorner, 3> &corners, const PieceRange &pieces,
                         const Rectangle &block, double enough);
 
@@ -42,8 +44,8 @@ private:
     Rectangle block_;
     double enough_ = 0, noise_ = 0;
     std::unordered_map<int64_t, HessianBox> boxes_; // of whole pieces
-    std::vector<TriangleBound> bounds_;             // of the parts of a polygon
-    std::vector<TriangleCorner> corners_;           // of a polygon
+    std::vector<TriangleBound> bounds_;   // of the triangles that the polygon of a part is divided into
+    std::vector<TriangleCorner> corners_; // of that polygon, on the surface
     std::vector<double> params_, values_;
 };
 

@@ -15,7 +15,7 @@ uint64_t key_of(int32_t u, int32_t v) noexcept {
     return static_cast<uint64_t>(u) << 32 | static_cast<uint32_t>(v);
 }
 
-// By u and then by v, of so many lines: in time that does not grow faster than their number.
+// Sorts keys by u and then by v, by counting, in linear time. `lines`: the numbers of lines.
 void sort_keys(const std::array<size_t, 2> &lines, std::vector<uint64_t> &keys) {
     std::vector<uint64_t> sorted(keys.size());
     for (const size_t axis : {size_t{1}, size_t{0}}) {
@@ -63,7 +63,7 @@ PlaceTable::PlaceTable(const CellTree &tree, const LineTwins &twins) : twins_(tw
     }
     sort_keys({tree.lines(0).size(), tree.lines(1).size()}, keys_);
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
-    keys_ = std::vector(std::as_const(keys_)); // without room for more
+    keys_ = std::vector(std::as_const(keys_)); // without spare capacity
     index(tree);
 }
 
@@ -119,7 +119,7 @@ void PlaceTable::add_corners(const Cell &cell, std::vector<uint64_t> &keys) cons
     count_work(100);
 }
 
-// By u, and by v, each line from the left to the right: places come in that order already.
+// Indexes the places by lines of both axes. Keys are sorted, so that on each line places come in order.
 void PlaceTable::index(const CellTree &tree) {
     first_on_u_.resize(tree.lines(0).size() + 1);
     int32_t at = 0;

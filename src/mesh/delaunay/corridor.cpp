@@ -11,10 +11,11 @@ namespace nrb::mesh {
 namespace {
 
 constexpr int64_t work_of_a_corner = 50;
-// The mark of edges behind which ears are cut off: nothing is flipped over them.
+// The mark of the edges along which ears are cut off: they are not flipped.
 constexpr int32_t held = -2;
 
-// Sides are never flipped where all was Delaunay. Elsewhere that may take ears from their places before they come back.
+// Removes leftover marks of ears. Where the triangulation was constrained Delaunay there are none. Elsewhere
+// sides of the polygon may be flipped, and ears moved by that before they come back.
 void release(TriangleNet &net, TriangleId t) noexcept {
     for (int k = 0; k < 3; ++k) {
         if (const EdgeId e = TriangleNet::edge_of(t, k); net.mark(e) == held) {
@@ -27,10 +28,10 @@ void release(TriangleNet &net, TriangleId t) noexcept {
 
 void Corridor::open(TriangleNet &net, std::span<const EdgeId> crossed, int32_t mark) {
     find_sides(net, crossed);
-    // Old triangles stay until all new ones are there: a side may have the polygon on both sides of it.
+    // Old triangles stay until all new ones are there: both half-edges of an edge may be sides of a polygon.
     net.reserve_triangles(crossed.size() + 1);
     const TriangleId first_ear = net.size();
-    draw_ = 1; // the same segment, the same triangles
+    draw_ = 1; // so that the same segment always makes the same triangles
     const EdgeId below = cut_ears(net, right_);
     net.join(below, cut_ears(net, left_), mark);
     return_ears(net, first_ear);
@@ -42,7 +43,7 @@ void Corridor::open(TriangleNet &net, std::span<const EdgeId> crossed, int32_t m
     }
 }
 
-// Each edge is crossed from right to left of the segment.
+// Each crossed edge leads from the right of the segment to its left.
 void Corridor::find_sides(const TriangleNet &net, std::span<const EdgeId> crossed) {
     old_ = {TriangleNet::triangle_of(crossed.front())};
     right_ = {TriangleNet::previous(crossed.front())};
@@ -61,7 +62,7 @@ void Corridor::find_sides(const TriangleNet &net, std::span<const EdgeId> crosse
     std::reverse(left_.begin(), left_.end());
 }
 
-// Returns the base, as the edge of the last ear.
+// Returns the base, as an edge of the last ear.
 EdgeId Corridor::cut_ears(TriangleNet &net, std::span<const EdgeId> sides) {
     set_corners(net, sides);
     while (!waiting_.empty()) {
@@ -85,7 +86,7 @@ void Corridor::set_corners(const TriangleNet &net, std::span<const EdgeId> sides
     corners_.push_back({net.to(sides.back()), -1, last - 1, -1, false});
 }
 
-// Any of them, drawn by the generator of S. Park and K. Miller.
+// A random one, drawn by the minimal standard generator of S. Park and K. Miller.
 int32_t Corridor::take_waiting() {
     draw_ = draw_ * 48271 % 2147483647;
     std::swap(waiting_[draw_ % waiting_.size()], waiting_.back());
@@ -97,13 +98,14 @@ int32_t Corridor::take_waiting() {
 bool Corridor::is_ear(const TriangleNet &net, int32_t i) const noexcept {
     const Corner &corner = corners_[static_cast<size_t>(i)];
     if (corner.cut || corner.previous < 0 || corner.next < 0) {
-        return false; // the last two are ends of the base
+        return false; // an end of the base
     }
     const auto point = [&](int32_t k) { return net.point(corners_[static_cast<size_t>(k)].vertex); };
     return orientation(point(corner.previous), point(i), point(corner.next)) > 0;
 }
 
-// The side that closes the gap is one of the new triangle, and its own twin as long as it has no other.
+// Cuts off the ear at corner i. Its third side closes the polygon, and is its own twin as long as nothing is
+// beyond it.
 void Corridor::cut(TriangleNet &net, int32_t i) {
     Corner &corner = corners_[static_cast<size_t>(i)];
     Corner &before = corners_[static_cast<size_t>(corner.previous)],
@@ -122,7 +124,8 @@ void Corridor::cut(TriangleNet &net, int32_t i) {
     waiting_.push_back(corner.next);
 }
 
-// Those of one polygon do not meet those of the other one. The segment, with which each of these begins, is no longer held.
+// The ears of one polygon do not affect those of the other one. The segment itself, the side of the last ear
+// of each polygon, has a mark of its own by now.
 void Corridor::return_ears(TriangleNet &net, TriangleId first_ear) {
     for (TriangleId t = net.size() - 1; t >= first_ear; --t) {
         if (const EdgeId e = TriangleNet::edge_of(t, 1); net.mark(e) == held) {

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int64_t work_of_an_edge = 20;
 
-// Whether the circle behind an edge contains its apex, a vertex.
+// Whether the circle of the triangle beyond an edge contains the apex of the edge. Precondition: the apex is
+// not infinite.
 bool is_to_flip(const TriangleNet &net, EdgeId e) noexcept {
     return net.mark(e) == TriangleNet::unmarked &&
            net.circle_contains(TriangleNet::triangle_of(net.twin(e)), net.point(net.apex(e)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points of a grid, and on which side of lines and circles others lie: exactly, because all that is computed are integers.
+// Points of an integer grid, with exact predicates for orientation and for circles, in integer arithmetic.
 #pragma once
 
 #include "numeric/exact_sum.h"
@@ -15,24 +15,27 @@ struct GridPoint {
 };
 inline constexpr int32_t grid_end = int32_t{1} << 30;
 
-// Twice the area of the triangle, positive if it is counterclockwise: two products of at most 60 bits.
+// Twice the signed area of the triangle, positive if it is counterclockwise: a difference of two products of
+// at most 60 bits.
 inline int64_t orientation(const GridPoint &a, const GridPoint &b, const GridPoint &c) noexcept {
     return int64_t{b.u - a.u} * (c.v - a.v) - int64_t{b.v - a.v} * (c.u - a.u);
 }
 
-// (b - a) (c - a): positive if both lie in one direction from a.
+// (b - a) . (c - a): positive if the angle at a is acute.
 inline int64_t scalar_product(const GridPoint &a, const GridPoint &b, const GridPoint &c) noexcept {
     return int64_t{b.u - a.u} * (c.u - a.u) + int64_t{b.v - a.v} * (c.v - a.v);
 }
 
-// By which squares of lengths are uu u^2 + vv v^2: a circle is an ellipse with these axes. 0 < uu, vv.
+// A metric in which the square of a length is uu u^2 + vv v^2: its circles are ellipses with axes along u and
+// v. Precondition: 0 < uu, vv <= most.
 struct GridMetric {
     int32_t uu = 1, vv = 1;
     static constexpr int32_t most = int32_t{1} << 30;
     friend bool operator==(const GridMetric &, const GridMetric &) = default;
 };
 
-// Whether p lies strictly inside of the circle through a counterclockwise triangle: a sum of three products of at most 122 bits.
+// Whether p lies strictly inside the circle through a counterclockwise triangle: the sign of a sum of three
+// products of at most 122 bits.
 inline bool in_circle(const GridPoint &a, const GridPoint &b, const GridPoint &c,
                       const GridPoint &p) noexcept {
     const auto lifted = [](int64_t u, int64_t v) { return u * u + v * v; };
@@ -44,8 +47,8 @@ inline bool in_circle(const GridPoint &a, const GridPoint &b, const GridPoint &c
     return sum.high() > 0 || (sum.high() == 0 && sum.low() > 0);
 }
 
-// The same of the ellipse that is a circle in a metric. Squares have up to 91 bits, and are multiplied in two parts, of 32 bits and
-// of those above.
+// The same for a circle of a metric. Squares of lengths have up to 91 bits, and are multiplied in two parts:
+// the low 32 bits, and those above.
 inline bool in_circle(const GridMetric &metric, const GridPoint &a, const GridPoint &b, const GridPoint &c,
                       const GridPoint &p) noexcept {
     const int64_t au = a.u - p.u, av = a.v - p.v, bu = b.u - p.u, bv = b.v - p.v, cu = c.u - p.u,

@@ -12,22 +12,22 @@ namespace nrb::mesh {
 
 namespace {
 
-constexpr int64_t work_of_a_key = 100; // with its part of sorting
+constexpr int64_t work_of_a_key = 100; // including its share of the sorting
 
 struct Keyed {
     uint64_t key;
     int32_t point;
 };
 
-// The place along the Hilbert curve of 2^31 times 2^31 points: from the coarsest quarters to the finest ones, each turned
-// so that the curve enters it where it left the one before.
+// The position along the Hilbert curve through 2^31 times 2^31 points: two bits for each level, from the
+// coarsest quarters to the finest ones, each turned so that the curve enters it where it left the one before.
 uint64_t hilbert_key(const GridPoint &point) noexcept {
     auto u = static_cast<uint32_t>(point.u), v = static_cast<uint32_t>(point.v);
     uint64_t key = 0;
     for (int level = 30; level >= 0; --level) {
         const uint32_t right = u >> level & 1, upper = v >> level & 1;
         key = key << 2 | ((3 * right) ^ upper);
-        // without branches, which nothing could predict: the lower quarters are mirrored at a diagonal
+        // The lower quarters are mirrored at a diagonal; without branches, which would be unpredictable.
         const uint32_t mirrored = upper - 1, opposite = mirrored & (0 - right);
         const uint32_t swapped = (u ^ v) & mirrored;
         u ^= swapped ^ opposite;

@@ -39,7 +39,7 @@ void TriangleNet::start(VertexId a, VertexId b, VertexId c) {
                               edge_of(add_triangle(infinite, b, a), 0)};
     for (int k = 0; k < 3; ++k) {
         join(inner + k, ghosts[k], unmarked);
-        // around the infinite vertex, the ghosts follow each other backwards
+        // Around the infinite vertex, the ghosts follow each other clockwise.
         join(next(ghosts[k]), previous(ghosts[(k + 2) % 3]), unmarked);
     }
 }
@@ -53,7 +53,7 @@ VertexId TriangleNet::add_point(const GridPoint &p) {
     return static_cast<VertexId>(points_.size()) - 1;
 }
 
-// (c, a, b) becomes (v, a, b), with (v, b, c) and (v, c, a) behind it.
+// The triangle (c, a, b) of e = ab becomes (v, a, b); the new triangles are (v, b, c) and (v, c, a).
 void TriangleNet::split_triangle(EdgeId e, VertexId v) {
     reserve_triangles(2);
     const VertexId a = from(e), b = to(e), c = apex(e);
@@ -69,7 +69,8 @@ void TriangleNet::split_triangle(EdgeId e, VertexId v) {
     join(next(ca), previous(e), unmarked);
 }
 
-// The flip turns a triangle without area, and its neighbour, into the halves of that neighbour.
+// Splitting one triangle leaves a triangle on e without area. The flip turns this one and its neighbour
+// across e into the halves of the neighbour.
 void TriangleNet::split_edge(EdgeId e, VertexId v) {
     const EdgeId other = twin(e);
     const int32_t old_mark = mark(e);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles with their neighbours and the marks of their edges, and the steps that change them.
+// The data structure of a triangulation: triangles with their neighbours and marks on edges, and its local
+// operations.
 #pragma once
 
 #include "mesh/delaunay/grid_point.h"
@@ -12,15 +13,18 @@ namespace nrb::mesh {
 
 using VertexId = int32_t;
 using TriangleId = int32_t;
-// 4 t + k: the edge of triangle t opposite of its corner k, seen from t, with t to its left.
+// A half-edge: 4 t + k is the side of triangle t opposite of its corner k, which is its apex, with t to its
+// left.
 using EdgeId = int32_t;
 
-// A triangulation of the convex hull of its vertices. Outside of each edge of the hull stands a ghost, a triangle whose third
-// corner is infinitely far away, so that every edge has two sides and every vertex a closed fan of triangles.
+// A triangulation of the convex hull of its vertices. Outside of each edge of the hull there is a ghost, a
+// triangle whose third corner is an infinite vertex, so that every edge has a twin and every vertex a closed
+// fan of triangles.
 class TriangleNet {
 public:
     static constexpr VertexId infinite = -1;
-    // There are up to twice as many triangles as vertices, and their edges are numbered in 31 bits.
+    // There are up to twice as many triangles as vertices, and half-edges, four numbers for each triangle,
+    // fit into 31 bits.
     static constexpr int32_t most_vertices = int32_t{1} << 27;
     static constexpr int32_t unmarked = -1;
 
@@ -38,48 +42,50 @@ public:
 
     static TriangleId triangle_of(EdgeId e) noexcept { return e >> 2; }
     static EdgeId edge_of(TriangleId t, int k) noexcept { return 4 * t + k; }
-    // The edges of a triangle, counterclockwise.
+    // The next and the previous edge of a triangle, counterclockwise.
     static EdgeId next(EdgeId e) noexcept { return (e & 3) == 2 ? e - 2 : e + 1; }
     static EdgeId previous(EdgeId e) noexcept { return (e & 3) == 0 ? e + 2 : e - 1; }
     [[nodiscard]] EdgeId twin(EdgeId e) const noexcept { return at(triangle_of(e)).twin[e & 3]; }
     [[nodiscard]] VertexId apex(EdgeId e) const noexcept { return at(triangle_of(e)).corner[e & 3]; }
     [[nodiscard]] VertexId from(EdgeId e) const noexcept { return apex(next(e)); }
     [[nodiscard]] VertexId to(EdgeId e) const noexcept { return apex(previous(e)); }
-    // An edge with this apex, and the next one around it, counterclockwise.
+    // An edge that has v as its apex, and the one after e around the apex of e, counterclockwise.
     [[nodiscard]] EdgeId fan_of(VertexId v) const noexcept { return fans_[static_cast<size_t>(v + 1)]; }
     [[nodiscard]] EdgeId next_in_fan(EdgeId e) const noexcept { return next(twin(next(e))); }
 
-    // A number that an edge carries.
+    // A number that the user attaches to an edge, the same for both half-edges.
     [[nodiscard]] int32_t mark(EdgeId e) const noexcept { return at(triangle_of(e)).mark[e & 3]; }
     void set_mark(EdgeId e, int32_t mark) noexcept;
     [[nodiscard]] bool inside(TriangleId t) const noexcept { return at(t).inside; }
     void set_inside(TriangleId t, bool inside) noexcept { at(t).inside = inside; }
 
-    // Positive if p is to the left of an edge between two vertices.
+    // Positive if p is to the left of an edge, 0 on its line. Precondition: no end of the edge is infinite.
     [[nodiscard]] int64_t side(EdgeId e, const GridPoint &p) const noexcept {
         return orientation(point(from(e)), point(to(e)), p);
     }
-    // Whether p is inside of the circle of a triangle. That of a ghost is the half plane beyond its edge.
+    // Whether p is strictly inside the circle through the corners of a triangle. For a ghost this is the open
+    // half-plane beyond its edge of the hull.
     [[nodiscard]] bool circle_contains(TriangleId t, const GridPoint &p) const noexcept;
     // Whether the triangles at an edge are the halves of a strictly convex quadrilateral.
     [[nodiscard]] bool convex_at(EdgeId e) const noexcept;
 
-    // The first triangle, counterclockwise, with its ghosts.
+    // Makes the first triangle, which is counterclockwise, with its ghosts.
     void start(VertexId a, VertexId b, VertexId c);
     VertexId add_point(const GridPoint &p);
-    // Three triangles at v instead of that of e, which keeps e.
+    // Replaces the triangle of e by three triangles at v, of which the one on e keeps its number.
     void split_triangle(EdgeId e, VertexId v);
-    // Four triangles at v instead of the two at e; the halves of e keep its mark.
+    // Replaces the two triangles at e by four triangles at v. The halves of e keep its mark.
     void split_edge(EdgeId e, VertexId v);
-    // The other diagonal. The triangle of e keeps e's apex opposite of e, the other one keeps the apex of the twin, and finds
-    // the apex of e in place of from(e). What the new diagonal carries is unmarked.
+    // Replaces the edge e = ab of the triangles (p, a, b) and (q, b, a) by the other diagonal pq, which is
+    // unmarked. The triangle of e becomes (p, a, q), with e from a to q; that of its twin becomes (q, b, p),
+    // with the twin from b to p.
     void flip(EdgeId e) noexcept;
 
-    // Pieces for those who build triangles of their own: the new triangle (a, b, c) has no neighbours yet.
+    // Operations for those who build triangles themselves: a new triangle (a, b, c) has no neighbours yet.
     TriangleId add_triangle(VertexId a, VertexId b, VertexId c);
     void reserve_triangles(size_t more);
     void join(EdgeId e, EdgeId twin, int32_t mark) noexcept;
-    // The last triangle takes the number of one that nobody is joined to.
+    // Moves the last triangle to the number of another one, which nothing is joined to.
     void move_last_to(TriangleId t) noexcept;
 
 private:
@@ -102,7 +108,7 @@ private:
     std::vector<GridPoint> points_;
     GridMetric metric_;
     std::vector<Triangle> triangles_;
-    std::vector<EdgeId> fans_; // of the infinite vertex, then of all others
+    std::vector<EdgeId> fans_; // an edge with this apex: of the infinite vertex, then of all others
 };
 
 } // namespace nrb::mesh

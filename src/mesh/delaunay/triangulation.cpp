@@ -13,12 +13,13 @@ namespace {
 
 constexpr int64_t work_of_a_triangle = 10;
 
-// A mark: twice the label, and one more on a border.
+// The mark of edges of a segment: twice the label, plus one for a border.
 constexpr int32_t mark_of(const Triangulation::Segment &segment) noexcept {
     return 2 * segment.label + (segment.border ? 1 : 0);
 }
 
-// The first three of an order that are not on a line come first.
+// Moves the first vertex that is not on a line with the first two to the third place. Returns whether there
+// is one.
 bool begin_with_triangle(const std::vector<GridPoint> &points, std::span<VertexId> order) {
     const auto point = [&](VertexId v) { return points[static_cast<size_t>(v)]; };
     for (size_t i = 2; i < order.size(); ++i) {
@@ -62,7 +63,7 @@ void Triangulation::add(VertexId v, const GridPlace &place) {
     star_flips_.run(net_, v);
 }
 
-// A neighbour of a ghost, or the triangle itself.
+// The triangle itself, or the neighbour of a ghost across its edge of the hull.
 TriangleId Triangulation::real_at(TriangleId t) const noexcept {
     for (int k = 0; k < 3; ++k) {
         if (net_.apex(TriangleNet::edge_of(t, k)) == TriangleNet::infinite) {
@@ -89,7 +90,7 @@ std::vector<Triangulation::Crossing> Triangulation::constrain(std::span<const Se
     return crossings;
 }
 
-// Of the edges that stay.
+// The first edge that stays which the segment from a to b crosses, if there is any.
 std::optional<EdgeId> Triangulation::first_crossed(VertexId a, VertexId b) {
     while (a != b) {
         crossed_.clear();
@@ -137,7 +138,7 @@ bool Triangulation::mark_inside() {
     return consistent;
 }
 
-// Whether that fits to what was found on other ways.
+// Goes to the triangle beyond an edge. Returns whether its side agrees with what was found on other ways.
 bool Triangulation::cross_into(EdgeId e, std::vector<bool> &reached, std::vector<TriangleId> &waiting) {
     const TriangleId behind = TriangleNet::triangle_of(net_.twin(e));
     const bool is_inside = net_.inside(TriangleNet::triangle_of(e)) != is_border(e);

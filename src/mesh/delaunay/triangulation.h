@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constrained Delaunay triangulations of points on a grid: exact, whatever lies on whatever.
+// Constrained Delaunay triangulations of points on a grid: exact, for all degenerate positions too.
 #pragma once
 
 #include "mesh/delaunay/corridor.h"
@@ -15,55 +15,60 @@
 
 namespace nrb::mesh {
 
-// Triangles are numbered from 0 to size(), ghosts among them: triangles outside of the edges of the hull, whose third corner is
-// TriangleNet::infinite. Edge k of a triangle is that opposite of its corner k. What is given are points of
-// the grid, numbers of vertices, and of triangles; after CallEnded or std::bad_alloc a triangulation can only be destroyed.
+// Triangles have the numbers 0, ..., size() - 1. Ghosts are among them: triangles outside of the edges of the
+// hull, whose third corner is TriangleNet::infinite. Edge k of a triangle is opposite of its corner k. An
+// edge 'stays' if it is constrained. Arguments are points of the grid and valid numbers of vertices and
+// triangles. After CallEnded or std::bad_alloc a triangulation can only be destroyed.
 class Triangulation {
 public:
-    // The Delaunay triangulation of points; equal ones become one vertex. All on one line: no triangles, not even ghosts.
-    // Cost: about 1 us a point, whatever order they come in and however many lie on one circle. Refuses more
-    // points than TriangleNet::most_vertices.
+    // The Delaunay triangulation of points; equal ones become one vertex. If all are on one line, there are
+    // no triangles, not even ghosts. Cost: about 1 us a point, in whatever order they come and however many
+    // lie on one circle. Throws Status::overflow for more points than TriangleNet::most_vertices.
     explicit Triangulation(std::span<const GridPoint> points, const GridMetric &metric = {});
     [[nodiscard]] VertexId vertex_of(size_t point) const noexcept { return vertex_of_[point]; }
 
     struct Segment {
         VertexId from, to;
         int32_t label; // from 0 to most_label
-        bool border;   // whether one side of it is inside and the other one outside
+        bool border;   // whether it separates inside from outside
     };
     static constexpr int32_t most_label = (int32_t{1} << 30) - 1;
-    // A segment that crosses an earlier one, and the edge of that.
+    // A segment that crosses an earlier one, and the edge of that one.
     struct Crossing {
         size_t segment;
         int32_t label;
         VertexId from, to;
     };
-    // Makes segments edges that stay, one after the other, divided at the vertices on them; what is between these is Delaunay as
-    // far as they let it. An edge keeps its first label; borders that lie on each other cancel in pairs. A segment
-    // that crosses an earlier one between vertices is left out and told with one such edge. Without triangles, nothing happens.
-    // Which triangles are inside has to be asked again if there are borders among the segments. Cost, expected: of
-    // the triangles that segments pass, and of those around vertices on them and around that end where there are fewer.
+    // Inserts segments, one after the other, as edges that stay, divided at the vertices on them; the rest
+    // stays constrained Delaunay. An edge keeps its first label; borders that lie on each other cancel in
+    // pairs. A segment that crosses an earlier one between vertices is left out, and returned with one edge
+    // that it crosses. Without triangles, nothing happens. If there are borders among the segments,
+    // mark_inside() has to be called again. Expected cost: linear in the number of triangles that the
+    // segments pass, and of those around the vertices on them, where of the two ends of a segment the one
+    // with fewer triangles counts.
     std::vector<Crossing> constrain(std::span<const Segment> segments);
 
-    // From outside of the hull, each border leads from outside to inside or back. Returns whether it does so on all ways:
-    // true if an even number of borders ends at each vertex, as at those of loops.
+    // Marks the triangles that are inside: starting outside of the hull, crossing a border leads from outside
+    // to inside or back. Returns whether all ways agree, as they do if an even number of borders ends at each
+    // vertex, such as in loops.
     bool mark_inside();
     [[nodiscard]] bool inside(TriangleId t) const noexcept { return net_.inside(t); }
 
-    // A new vertex, found by walking from triangle `near`, and flips as far as edges that stay let them. Fills `changed` with the
-    // triangles around it, which are those that are new or have other corners, without ghosts. Triangles inside stay so; those
-    // beyond the hull are outside. Nothing on a vertex, without triangles, and on an edge that stays, unless
-    // that may be split.
+    // Inserts a vertex, located by walking from triangle `near`, and flips edges that do not stay. Fills
+    // `changed` with the triangles around it but for ghosts: these are the ones that are new or have other
+    // corners. What was inside stays so; new triangles beyond the hull are outside. Returns nothing, and
+    // inserts nothing, if p is on a vertex, or on an edge that stays unless `split_segments` is set, or if
+    // there are no triangles.
     std::optional<VertexId> insert(const GridPoint &p, TriangleId near, bool split_segments,
                                    std::vector<TriangleId> &changed);
-    // The other diagonal instead of edge k of a triangle; adds both triangles to `changed`. Refused on edges
-    // that stay, and where the quadrilateral is not strictly convex.
+    // Replaces edge k of a triangle by the other diagonal, and adds both triangles to `changed`. Returns
+    // false, and does nothing, for an edge that stays, and where the quadrilateral is not strictly convex.
     bool flip(TriangleId t, int k, std::vector<TriangleId> &changed);
 
     [[nodiscard]] TriangleId size() const noexcept { return net_.size(); }
     [[nodiscard]] const std::vector<GridPoint> &vertices() const noexcept { return net_.points(); }
     [[nodiscard]] bool ghost(TriangleId t) const noexcept { return net_.ghost(t); }
-    // Counterclockwise.
+    // The corners of a triangle, counterclockwise.
     [[nodiscard]] std::array<VertexId, 3> corners(TriangleId t) const noexcept {
         const EdgeId e = TriangleNet::edge_of(t, 0);
         return {net_.apex(e), net_.apex(e + 1), net_.apex(e + 2)};
@@ -71,7 +76,7 @@ public:
     [[nodiscard]] TriangleId neighbour(TriangleId t, int k) const noexcept {
         return TriangleNet::triangle_of(net_.twin(TriangleNet::edge_of(t, k)));
     }
-    // Whether an edge stays, and its label or -1.
+    // Whether an edge stays; and its label, -1 if it does not stay.
     [[nodiscard]] bool constrained(TriangleId t, int k) const noexcept { return label(t, k) >= 0; }
     [[nodiscard]] int32_t label(TriangleId t, int k) const noexcept {
         return net_.mark(TriangleNet::edge_of(t, k)) >> 1;

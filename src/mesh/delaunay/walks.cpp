@@ -10,7 +10,8 @@ namespace nrb::mesh {
 namespace {
 
 constexpr int64_t work_of_a_step = 10;
-// Enough for most ways around a vertex of many triangles, where a straight line has to look at all of them.
+// Enough for most walks around a vertex of many triangles, all of which a straight walk would have to look
+// at.
 constexpr int most_visible_steps = 2000;
 
 using Kind = GridPlace::Kind;
@@ -20,19 +21,19 @@ struct Departure {
     enum class Kind {
         through, // into the triangle of an edge, which it leaves over this edge
         along,   // on an edge that begins at a
-        outside  // into a ghost
+        outside  // into the ghost of an edge
     };
     Kind kind;
     EdgeId edge;
 };
 
-// Whether p is beyond the edge of a ghost; e is one of the other two.
+// Whether p is beyond the edge of a ghost on the hull; e is one of its other two edges.
 bool beyond_hull(const TriangleNet &net, EdgeId e, const GridPoint &p) noexcept {
     const bool first = net.from(e) == TriangleNet::infinite;
     return net.side(first ? TriangleNet::next(e) : TriangleNet::previous(e), p) > 0;
 }
 
-// 0 for the infinite vertex.
+// On which side of the ray from a to p a corner is: positive to its left; 0 for the infinite vertex.
 int64_t side_of_ray(const TriangleNet &net, VertexId a, const GridPoint &p, VertexId corner) noexcept {
     return corner == TriangleNet::infinite ? 0 : orientation(net.point(a), p, net.point(corner));
 }
@@ -40,7 +41,7 @@ int64_t side_of_ray(const TriangleNet &net, VertexId a, const GridPoint &p, Vert
 // Precondition: p is not the point of a.
 Departure depart(const TriangleNet &net, VertexId a, const GridPoint &p) {
     EdgeId e = net.fan_of(a);
-    // of the corners of each triangle, as the ray sees them
+    // On which side of the ray the corner from(e) is; `left` below is that of to(e).
     int64_t right = side_of_ray(net, a, p, net.from(e));
     for (;; e = net.next_in_fan(e)) {
         count_work(work_of_a_step);
@@ -60,15 +61,15 @@ Departure depart(const TriangleNet &net, VertexId a, const GridPoint &p) {
     }
 }
 
-// Over an edge from the right of the line from a to p to the left of it: the next edge, from right to left
-// again, or -1 if the apex behind is on the line.
+// The edge that the line from a to p crosses after `crossed`, both of which lead from the right of the line
+// to its left; -1 if the apex beyond `crossed` is on the line.
 EdgeId next_crossed(const TriangleNet &net, const GridPoint &a, const GridPoint &p, EdgeId crossed) noexcept {
     const EdgeId f = net.twin(crossed);
     const int64_t side = orientation(a, p, net.point(net.apex(f)));
     return side > 0 ? TriangleNet::next(f) : side < 0 ? TriangleNet::previous(f) : -1;
 }
 
-// Edges of which p is to the left in every step, until it is of all three.
+// A visibility walk: crosses edges that p is strictly to the right of, until there are none in the triangle.
 class VisibleWalk {
 public:
     VisibleWalk(const TriangleNet &net, const GridPoint &p, TriangleId start) noexcept
@@ -98,13 +99,14 @@ public:
     [[nodiscard]] TriangleId triangle() const noexcept { return TriangleNet::triangle_of(entered_); }
 
 private:
-    // Whether this leads outside.
+    // Crosses an edge. Returns whether this leads outside of the hull.
     bool leave_over(EdgeId e) noexcept {
         entered_ = net_.twin(e);
         place_ = {Kind::triangle, entered_};
         return net_.ghost(TriangleNet::triangle_of(entered_));
     }
-    // p is on those edges that are told, and it may be on that over which the triangle was entered if it is the first one.
+    // Sets the place within the triangle: whether p is on two of its edges is given. It can be on the entered
+    // one as well only in the first triangle, which was not entered over it.
     void settle(EdgeId first, bool on_first, EdgeId second, bool on_second) noexcept {
         const bool on_entered = net_.side(entered_, p_) == 0;
         if (on_first + on_second + on_entered == 2) {
@@ -122,7 +124,7 @@ private:
     GridPlace place_{Kind::triangle, -1};
 };
 
-// Along the straight line from a vertex, and from each other vertex that this comes to.
+// A walk along the straight line from a vertex to p, which begins anew at each vertex that the line comes to.
 class StraightWalk {
 public:
     StraightWalk(const TriangleNet &net, const GridPoint &p, VertexId start) noexcept
@@ -138,7 +140,9 @@ public:
     }
 
 private:
-    // Nothing if the line comes to a vertex first, or to one at the corner behind p, from which the way back is short.
+    // Follows the line to the next vertex on it, and returns where p is if that is found on the way.
+    // Otherwise the walk begins anew at that vertex. It may lie beyond p, in the same triangle: then the way
+    // back is short.
     std::optional<GridPlace> place_before_vertex() {
         const auto [kind, edge] = depart(net_, vertex_, p_);
         switch (kind) {
@@ -177,7 +181,7 @@ private:
 
     const TriangleNet &net_;
     GridPoint p_;
-    VertexId vertex_; // where the line begins, or goes on
+    VertexId vertex_; // where the line begins
 };
 
 } // namespace

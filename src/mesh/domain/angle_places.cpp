@@ -9,11 +9,12 @@ namespace nrb::mesh {
 
 namespace {
 
-// Of the sizes that areas of the domain are the differences of: what is less is none.
+// Areas in the domain below this share of the product of their extents along the axes count as 0.
 constexpr double least_area = 1e-9;
-// New places see no side that stays under a larger angle.
+// From a new place, no side that stays is seen under a larger angle: the first for sides that are given, the
+// second for those on seams and kinks.
 constexpr double most_seen = 2 * std::numbers::pi / 3, most_seen_of_lines = std::numbers::pi / 2;
-// Triangles that a walk passes, and that flips at a new place are looked ahead for.
+// Maximum number of triangles that a walk passes, and of those in which flips at a new place are anticipated.
 constexpr int most_steps = 64;
 constexpr size_t most_ahead = 64;
 
@@ -23,7 +24,7 @@ double angle_at(const Vector3 &x, const Vector3 &a, const Vector3 &b) noexcept {
 
 } // namespace
 
-// Opposite of the shortest side.
+// The angle opposite the shortest side.
 double AngleRefinement::least_angle(const std::array<int32_t, 3> &s) const noexcept {
     const std::array<Vector3, 3> x{at(s[0]), at(s[1]), at(s[2])};
     size_t best = 0;
@@ -38,7 +39,8 @@ double AngleRefinement::least_angle(const std::array<int32_t, 3> &s) const noexc
     return angle_at(x[best], x[(best + 1) % 3], x[(best + 2) % 3]);
 }
 
-// Twice that in the domain; 0 if it is not certain, as rounded parameters have it, or next to nothing.
+// Twice the signed area in the domain; 0 if its sign is uncertain, given the rounding of parameters, or if it
+// is negligible.
 double AngleRefinement::area(int32_t a, int32_t b, const std::array<double, 2> &x) const noexcept {
     const auto &p = sites_[a].param, &q = sites_[b].param;
     std::array<double, 2> sides{}, rounding{};
@@ -83,7 +85,8 @@ size_t AngleRefinement::longest_side(int32_t t) const noexcept {
     return size(longer) >= size(2) ? longer : 2;
 }
 
-// On the line from the middle of the shortest side to the centre of the circle: there, or before, where the side is seen under the angle.
+// The off-centre, on the line from the midpoint of the shortest side to the circumcentre: at the circumcentre
+// or before it, where the side is seen under the angle that is aimed at.
 AngleRefinement::Shares AngleRefinement::wanted_place(int32_t t, size_t k) const noexcept {
     const auto &s = net_[t].sites;
     Shares squares{}, shares{};
@@ -111,6 +114,8 @@ AngleRefinement::Shares AngleRefinement::wanted_place(int32_t t, size_t k) const
     return shares;
 }
 
+// Walks from triangle to triangle, each time over a side that the place is beyond, to the triangle that holds
+// it or to a side that stays.
 AngleRefinement::Place AngleRefinement::walk(int32_t t, const Shares &shares) const noexcept {
     Place place;
     for (size_t k = 0; k < 2; ++k) {
@@ -154,7 +159,7 @@ bool AngleRefinement::is_near(const Vector3 &x, int32_t t, double distance) cons
     return near;
 }
 
-// One of a triangle that stays and that a place is too near to; -1: none.
+// A side of a triangle that stays and that a place is too near to, as in Place::barrier; -1: none.
 int32_t AngleRefinement::side_seen(const Vector3 &x, int32_t t) const noexcept {
     const auto &s = net_[t].sites;
     for (size_t k = 0; k < 3; ++k) {
@@ -167,7 +172,7 @@ int32_t AngleRefinement::side_seen(const Vector3 &x, int32_t t) const noexcept {
     return -1;
 }
 
-// The same of all triangles that are going to be changed by flips.
+// The same for all triangles that flips at the new place are going to change.
 int32_t AngleRefinement::side_in_the_way(const Vector3 &x, int32_t triangle) const {
     std::vector<std::pair<int32_t, int32_t>> open{{triangle, -1}};
     for (size_t i = 0; i < open.size() && i < most_ahead; ++i) {
@@ -190,7 +195,7 @@ int32_t AngleRefinement::side_in_the_way(const Vector3 &x, int32_t triangle) con
     return -1;
 }
 
-// On the triangle over a place.
+// The point of a triangle in space over a place of the domain.
 Vector3 AngleRefinement::point_in(int32_t t, const std::array<double, 2> &param) const noexcept {
     const auto &s = net_[t].sites;
     Vector3 x{};
@@ -203,7 +208,7 @@ Vector3 AngleRefinement::point_in(int32_t t, const std::array<double, 2> &param)
     return (1 / sum) * x;
 }
 
-// Where a new vertex makes a triangle better, or what is in the way.
+// Where a new vertex makes a triangle better, or the side that is in the way.
 AngleRefinement::Place AngleRefinement::place_for(int32_t t) const {
     Place place = walk(t, wanted_place(t, shortest_side(t)));
     if (place.triangle >= 0) {

@@ -9,18 +9,19 @@ namespace nrb::mesh {
 
 namespace {
 
-// Of the shortest side of a triangle, for new ones: places of the domain are not quite where they are wanted in space.
+// Least distance of a new vertex from others, as a multiple of the shortest side of the triangle: less than
+// 1, since the place in the domain is not quite where it is wanted in space.
 constexpr double least_of_shortest = 0.85;
-// Triangles with smaller ones are segments, as all are where an axis has degree 0.
+// Triangles with a smaller angle are segments, as all are where an axis has degree 0.
 constexpr double no_angle = 1e-6;
 constexpr int most_tries = 4, most_passes = 32;
-// The same for the halves of a longest side, where no other place is any good.
+// As least_of_shortest, for the halves of a longest side, where no other place will do.
 constexpr double least_half = 0.4;
-// Of them for each triangle that is bad at first.
+// Maximum number of such halvings for each triangle that is bad at the start.
 constexpr int64_t most_halvings_of_bad = 8;
-// Multiply-adds of a look at the angles of a triangle, estimated, and of one at whether a side is better flipped.
+// Multiply-adds, estimated: to look at the angles of a triangle, and at whether a side is better flipped.
 constexpr int64_t work_of_a_look = 200, work_of_a_side = 400;
-// New places for each triangle of equal sides that there is room for at first.
+// Maximum number of new places for each equilateral triangle that there is room for at the start.
 constexpr double most_places = 6;
 
 } // namespace
@@ -35,7 +36,8 @@ bool AngleRefinement::fails(int32_t t) const {
     return barrier < 0 || net_[barrier / 4].sides[static_cast<size_t>(barrier % 4)].divides;
 }
 
-// Not at poles, nor between two sides of the border.
+// A triangle at a pole is not bad, nor is one whose smallest angle lies between two given sides, as at the
+// border.
 bool AngleRefinement::is_bad(int32_t t) const noexcept {
     const auto &s = net_[t].sites;
     const double least = least_angle(s);
@@ -50,7 +52,7 @@ bool AngleRefinement::is_bad(int32_t t) const noexcept {
     return !(is_given(k + 1) && is_given(k + 2));
 }
 
-// Poles, and what is at sides that can neither be flipped nor divided.
+// Marks poles, and the sites at sides that can neither be flipped nor divided.
 void AngleRefinement::join() {
     std::vector<int32_t> points;
     for (const Site &site : sites_.all()) {
@@ -81,7 +83,7 @@ void AngleRefinement::join() {
         }
     }
     set_budget();
-    // All sites of a point.
+    // A fixed site fixes all sites of its point.
     std::vector<char> at_points(static_cast<size_t>(sites_.point_count()), 0);
     for (size_t i = 0; i < points.size(); ++i) {
         at_points[static_cast<size_t>(points[i])] |= fixed_[i];
@@ -91,7 +93,7 @@ void AngleRefinement::join() {
     }
 }
 
-// A triangle has room for as many of equal sides as it is longer than high.
+// A triangle has room for about as many equilateral ones as the ratio of its longest side to its height.
 void AngleRefinement::set_budget() {
     double room_for = 0;
     for (int32_t t = 0; t < net_.size(); ++t) {
@@ -113,7 +115,8 @@ void AngleRefinement::want(int32_t t) {
     }
 }
 
-// By a place that is no nearer to others than the ends of its shortest side are to each other.
+// Removes the triangle if it is one half of a fin. Otherwise inserts a vertex that is no nearer to others
+// than about the length of the shortest side.
 bool AngleRefinement::improve(int32_t t) {
     for (size_t side = 0; side < 3; ++side) {
         if (net_.remove_fin(t, side)) {
@@ -138,7 +141,8 @@ void AngleRefinement::keep_near() noexcept {
     budget_ = std::min<int64_t>(budget_, net_.size() / 8 + 1000);
 }
 
-// Where flips are not free to do their part. Angles near 30 degrees would never come to an end by that.
+// Used where flips are restricted (keep_near()). The number of halvings is limited, since for angles near 30
+// degrees they would never end.
 bool AngleRefinement::halve_longest(int32_t t, double shortest) {
     if (halvings_ <= 0) {
         return false;
@@ -147,7 +151,7 @@ bool AngleRefinement::halve_longest(int32_t t, double shortest) {
     return halve(t, longest_side(t), shortest);
 }
 
-// As long as one makes another one better.
+// Repeats passes as long as there are flips, since one may make another worthwhile.
 void AngleRefinement::flip_all() {
     bool any = true;
     for (int pass = 0; pass < most_passes && any && !work_ended(); ++pass) {
@@ -170,7 +174,8 @@ void AngleRefinement::run() {
     }
 }
 
-// The worst ones first. Returns whether there is something new: then some may have room for what they had none for before.
+// The worst triangles first. Returns whether anything changed: then some may have room for a vertex that had
+// none before.
 bool AngleRefinement::improve_all() {
     bool any = false;
     count_work(work_of_a_look * net_.size());

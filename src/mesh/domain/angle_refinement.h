@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Delaunay refinement: triangles without small angles, by more vertices inside.
+// Delaunay refinement: inserts vertices inside a mesh until no triangle has a small angle.
 //
-// A triangle with an angle that is too small has a circle that is large for its shortest side. A vertex at the centre of that circle
-// is as far from all others as the radius says, so that sides do not become shorter than those that there are, and it comes to an
-// end: P. Chew, Guaranteed-quality triangular meshes, 1989, and for surfaces 1993; J. Ruppert, A Delaunay refinement algorithm for
-// quality 2-dimensional mesh generation, 1995; J. Shewchuk, Delaunay refinement algorithms for triangular mesh generation,
-// 2002. Where a nearer place makes the angle large enough, it is taken: A. Üngör, Off-centers, 2004.
+// A triangle with too small an angle has a circumcircle that is large for its shortest side. A vertex at the
+// circumcentre is at least the circumradius away from all others, so that no side becomes shorter than those
+// that there are, and the refinement terminates: P. Chew, Guaranteed-quality triangular meshes, 1989, and for
+// surfaces 1993; J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995;
+// J. Shewchuk, Delaunay refinement algorithms for triangular mesh generation, 2002. Where a place nearer to
+// the shortest side makes the angle large enough, that is taken instead: A. Üngör, Off-centers, 2004.
 //
-// Angles are those of the triangles in space. A place in the plane of a triangle is one of the domain by the map that takes corners to
-// corners. Sides are flipped where that makes the smallest angle of two triangles larger, which in the plane is where
-// they are not Delaunay. Sides at the border stay as they are. Sides on a seam or a kink are halved where places come too near to
-// them or lie beyond.
+// Angles are those of the triangles in space. A place in the plane of a triangle corresponds to a place of
+// the domain by the affine map that takes corners to corners. A side is flipped where that enlarges the
+// smallest angle of its two triangles; in the plane these are the sides that are not Delaunay. Sides at the
+// border stay as they are. Sides on a seam or a kink are halved where new places come too near to them or lie
+// beyond them.
 #pragma once
 
 #include "mesh/domain/site_net.h"
@@ -20,32 +22,34 @@
 
 namespace nrb::mesh {
 
-// Judging and the order of things are in angle_refinement.cpp, where vertices are wanted in angle_places.cpp, and what makes them in
-// angle_steps.cpp.
+// angle_refinement.cpp judges triangles and decides on the order of steps, angle_places.cpp finds the places
+// of new vertices, and angle_steps.cpp inserts them.
 class AngleRefinement {
 public:
     struct Rule {
-        double angle = 0;    // the least one
-        double scale = 1;    // by a power of two lengths come near 1
-        double shortest = 0; // in that unit: no side of such a length is divided
-        std::function<bool(int32_t from, int32_t to)> is_allowed_side{}; // between sites, for new ones
-        std::function<bool(int32_t from, int32_t to)> is_near_side{};    // the same, of keep_near()
+        double angle = 0;    // the least one that is allowed
+        double scale = 1;    // a power of two that brings lengths near 1
+        double shortest = 0; // after scaling: no side of this length or less is divided
+        // Whether a flip may make a side between two sites; and whether it may after keep_near().
+        std::function<bool(int32_t from, int32_t to)> is_allowed_side{};
+        std::function<bool(int32_t from, int32_t to)> is_near_side{};
     };
     AngleRefinement(const CellGrid &cells, Sites &sites, Rule rule)
         : cells_(cells), sites_(sites), rule_(std::move(rule)) {}
 
-    // All triangles, and then join() once.
+    // To be called for all triangles, and then join() once.
     int32_t add(const NetTriangle &triangle) { return net_.add(triangle); }
     void join();
 
-    // From now on flips make no sides that are too far from the surface, even where angles would be larger: else what one division
-    // mends would go on in the triangles beside it, row by row. For that some longest sides are halved, and there is a bound of
-    // how many triangles that may make.
+    // From now on flips make no sides that are too far from the surface, even where that would enlarge
+    // angles: otherwise a division that mends one triangle would spoil those beside it, row by row. To make
+    // up for that, some longest sides are halved, and the number of further triangles is bounded.
     void keep_near() noexcept;
-    // Until no triangle can be made better, or the limit of work.
+    // Refines until no triangle can be improved, or the limit of work is reached.
     void run();
-    // Halves the longest side of a triangle that can be halved, if it is longer than that in the unit of the sites. A segment of the border would have to be
-    // halved by others: then that is told, else -1.
+    // Halves the longest side of a triangle that can be halved, if it is longer than `longer` in the unit of
+    // the sites. A segment of the border has to be halved by the caller: then `border` is its number, else
+    // -1.
     struct Divided {
         bool done = false;
         int32_t border = -1;
@@ -55,19 +59,20 @@ public:
     [[nodiscard]] const SiteNet &net() const noexcept { return net_; }
     void set_source(int32_t triangle, int32_t source) noexcept { net_.set_source(triangle, source); }
     void clear_dropped() noexcept { net_.clear_dropped(); }
-    // The smallest angle of a triangle is too small, and neither does a corner lie at the border or at a pole nor is the border in the way
-    // of a vertex in its circle: there sides are given.
+    // Whether a triangle that counts has too small an angle. A triangle does not count if a corner lies at
+    // the border or at a pole, or if a side there is in the way of the vertex in its circumcircle, since
+    // these sides are given.
     [[nodiscard]] bool fails(int32_t triangle) const;
 
 private:
-    // Angles are aimed at by so much more than asked for, so that rounding does not count.
+    // The angle that is aimed at exceeds the least one by this factor, so that rounding does not matter.
     static constexpr double room = 1 + 1e-6;
-    // Shares of the corners of a triangle, of the sum 1.
+    // Barycentric coordinates of a place in a triangle.
     using Shares = std::array<double, 3>;
     struct Place {
-        int32_t triangle = -1; // -1: none
+        int32_t triangle = -1; // that it is in; -1: none
         std::array<double, 2> param{};
-        int32_t barrier = -1; // the side that stays in the way: 4 times its triangle and its number
+        int32_t barrier = -1; // 4 t + k: side k of triangle t stays, and is in the way; -1: none
     };
 
     [[nodiscard]] Vector3 at(int32_t site) const noexcept {
@@ -91,7 +96,7 @@ private:
     [[nodiscard]] int32_t side_in_the_way(const Vector3 &x, int32_t triangle) const;
     [[nodiscard]] Vector3 point_in(int32_t triangle, const std::array<double, 2> &param) const noexcept;
     [[nodiscard]] Place place_for(int32_t triangle) const;
-    // -1 if there is one.
+    // A new site in a triangle; -1: there is one already.
     int32_t make_site(const std::array<double, 2> &param, int32_t triangle);
     bool improve(int32_t triangle);
     bool halve_longest(int32_t triangle, double shortest);
@@ -114,9 +119,10 @@ private:
     bool keeps_near_ = false;
     int64_t halvings_ = 0;            // of longest sides that may still be tried
     int64_t budget_ = 0;              // places that may still be tried
-    std::vector<char> fixed_, poles_; // sites at the border, and at poles
-    std::vector<std::pair<double, std::array<int32_t, 4>>>
-        waiting_; // a heap: angles, triangles with their sites
+    std::vector<char> fixed_, poles_; // of sites: whether they are at sides that are given, and at poles
+    // A heap of triangles to improve: the negative of the smallest angle; the triangle, and its sites when it
+    // was added.
+    std::vector<std::pair<double, std::array<int32_t, 4>>> waiting_;
     std::vector<std::pair<int32_t, size_t>> to_flip_;
 };
 

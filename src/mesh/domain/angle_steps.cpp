@@ -11,9 +11,9 @@ namespace {
 
 // Multiply-adds of a new vertex with its flips, estimated.
 constexpr int64_t work_of_a_vertex = 4000;
-// Of a side on a seam or a kink, to parts shorter than what is beside it.
+// How often a side on a seam or a kink is halved although its parts become shorter than the sides beside it.
 constexpr int most_halvings = 10;
-// Triangles around a point that are looked at.
+// Maximum number of triangles around a point that are examined.
 constexpr size_t most_around_point = 64;
 
 } // namespace
@@ -33,7 +33,7 @@ int32_t AngleRefinement::make_site(const std::array<double, 2> &param, int32_t t
     return site == fresh ? site : -1;
 }
 
-// Whether all triangles at a new place in side k are as they have to be in the domain.
+// Whether all triangles at a new place on side k are counterclockwise in the domain.
 bool AngleRefinement::makes_triangles(int32_t t, size_t k, const std::array<double, 2> &x) const noexcept {
     const auto &s = net_[t].sites;
     const bool one = area(s[k], s[(k + 1) % 3], x) > 0 && area(s[(k + 2) % 3], s[k], x) > 0;
@@ -45,7 +45,7 @@ bool AngleRefinement::makes_triangles(int32_t t, size_t k, const std::array<doub
     return area(beyond, s[(k + 2) % 3], x) > 0 && area(s[(k + 1) % 3], beyond, x) > 0;
 }
 
-// In the middle; on both sides of a seam or a kink.
+// At the midpoint; on a seam or a kink, with a site on both of its sides.
 bool AngleRefinement::halve(int32_t t, size_t k, double shortest) {
     const NetSide side = net_[t].sides[k];
     const auto &s = net_[t].sites;
@@ -93,7 +93,7 @@ bool AngleRefinement::halve(int32_t t, size_t k, double shortest) {
 bool AngleRefinement::insert(const Place &place, double shortest) {
     const int32_t t = place.triangle;
     const std::array<int32_t, 3> s = net_[t].sites;
-    for (size_t k = 0; k < 3; ++k) { // on a side, or as good as that
+    for (size_t k = 0; k < 3; ++k) { // on a side, or nearly so
         if (area(s[(k + 1) % 3], s[(k + 2) % 3], place.param) <= 1e-3 * area(s)) {
             const NetSide side = net_[t].sides[k];
             if (side.stays || !net_.can_change(t, k) || !makes_triangles(t, k, place.param) ||
@@ -125,8 +125,8 @@ bool AngleRefinement::insert(const Place &place, double shortest) {
     return true;
 }
 
-// Whether a side leads from a corner of a triangle, or from another copy of it, to a point: around a closed axis that may be another way
-// than that over the side in front of the corner.
+// Whether a side already leads from a corner of a triangle, or from another copy of that corner, to a point.
+// Around a closed axis it may lead another way than across the side opposite the corner.
 bool AngleRefinement::are_joined(int32_t start, size_t corner, int32_t point) const noexcept {
     const int32_t centre = sites_[net_[start].sites[corner]].point;
     const auto is_point = [&](int32_t site, int32_t other) { return sites_[site].point == other; };
@@ -149,7 +149,8 @@ bool AngleRefinement::are_joined(int32_t start, size_t corner, int32_t point) co
     return false;
 }
 
-// New sides have to be such as are allowed, and triangles have to be as they are in the domain.
+// Whether a flip enlarges the smallest angle of the two triangles. The new side has to be allowed, and the
+// new triangles have to be counterclockwise in the domain.
 bool AngleRefinement::is_better_flipped(int32_t t, size_t k) const noexcept {
     const NetSide &side = net_[t].sides[k];
     if (side.stays || has_pole(t) || has_pole(side.next) || !net_.can_change(t, k)) {
@@ -165,7 +166,8 @@ bool AngleRefinement::is_better_flipped(int32_t t, size_t k) const noexcept {
            !are_joined(t, k, sites_[q].point);
 }
 
-// Flips around a new site, where triangles are beside each other.
+// Flips sides opposite a new site, as long as that enlarges angles. around: the triangles at the site; -1:
+// none.
 void AngleRefinement::settle(int32_t site, std::array<int32_t, 4> around) {
     to_flip_.clear();
     const auto add = [&](int32_t t) {

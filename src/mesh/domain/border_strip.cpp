@@ -15,7 +15,7 @@ BorderStrip::BorderStrip(const MeshDomain &domain, const SegmentIndex &index, co
     make_strip();
 }
 
-// Over all cells, with lengths as the largest of these have them.
+// Over the bounding box of all cells, with lengths by the largest speeds of the surface over them.
 void BorderStrip::make_strip() {
     const CellTree &tree = cells_.tree();
     Rectangle part = tree.rectangle(tree.cells().front());
@@ -32,7 +32,7 @@ void BorderStrip::make_strip() {
         places_.walls());
 }
 
-// Lines may cross the border outside of the face.
+// Other walls, on seams and kinks, may cross the border outside of the face, and do not count.
 std::vector<int32_t> BorderStrip::crossed() const {
     std::vector<int32_t> result;
     for (const auto &[one, other] : strip_->crossings()) {
@@ -59,7 +59,7 @@ std::vector<std::pair<int32_t, double>> BorderStrip::touched() const {
         const auto &a = places_.point(wall.from), &b = places_.point(wall.to), &x = places_.point(point);
         const int32_t own = point_of_border(point);
         if (own >= 0 && (own == point_of_border(wall.from) || own == point_of_border(wall.to))) {
-            continue; // an end, of another curve
+            continue; // an end of the segment, at which another curve ends, too
         }
         const size_t k = std::abs(b[0] - a[0]) >= std::abs(b[1] - a[1]) ? 0 : 1;
         result.emplace_back(wall.border, (x[k] - a[k]) / (b[k] - a[k]));
@@ -67,7 +67,7 @@ std::vector<std::pair<int32_t, double>> BorderStrip::touched() const {
     return result;
 }
 
-// Points of the border come first.
+// Points of the border come first among the places, so that the first place of a vertex is one of them.
 std::vector<std::array<int32_t, 2>> BorderStrip::united() const {
     std::vector<std::array<int32_t, 2>> result;
     const auto &border = domain_.border.points;
@@ -81,9 +81,9 @@ std::vector<std::array<int32_t, 2>> BorderStrip::united() const {
     return result;
 }
 
-// However far apart they are in the domain.
+// Points at one pole are one in space, however far apart they are in the domain.
 void BorderStrip::unite_at_poles(std::vector<std::array<int32_t, 2>> &united) const {
-    std::map<int32_t, int32_t> first; // of the poles
+    std::map<int32_t, int32_t> first; // by poles
     for (const BorderPoint &own : domain_.border.points) {
         if (const int32_t pole = cells_.pole_at(own.param); pole >= 0) {
             const auto [known, fresh] = first.try_emplace(cells_.table().point_of(pole), own.point);
@@ -94,7 +94,7 @@ void BorderStrip::unite_at_poles(std::vector<std::array<int32_t, 2>> &united) co
     }
 }
 
-// On a seam there may be segments both ways.
+// Whether a segment is on a seam, where there may be segments in both directions.
 bool BorderStrip::on_seam(const BorderSegment &segment) const noexcept {
     const auto &a = places_.point(segment.from), &b = places_.point(segment.to);
     bool result = false;
@@ -106,7 +106,8 @@ bool BorderStrip::on_seam(const BorderSegment &segment) const noexcept {
     return result;
 }
 
-// The product of two segments of the domain, by which they run one way or against each other, in units of the domain.
+// The scalar product of two steps in the domain, measured by its extents: positive if they run in the same
+// direction, negative if they run in opposite ones.
 double BorderStrip::along(const std::array<double, 2> &one,
                           const std::array<double, 2> &other) const noexcept {
     double sum = 0;
@@ -118,7 +119,8 @@ double BorderStrip::along(const std::array<double, 2> &one,
     return sum;
 }
 
-// The inside is to the left of the border.
+// Lengths of the sides of a triangle that are segments of the border: positive where the triangle is to the
+// left of the border, as the inside is, negative where it is to the right.
 double BorderStrip::left_of(const StripTriangle &triangle) const noexcept {
     const auto step = [](const std::array<double, 2> &a, const std::array<double, 2> &b) {
         return std::array<double, 2>{b[0] - a[0], b[1] - a[1]};
@@ -139,7 +141,8 @@ double BorderStrip::left_of(const StripTriangle &triangle) const noexcept {
     return left;
 }
 
-// Triangles along the border may be as thin as what is between curves and segments, and so may a whole component be.
+// The largest triangle is tested, since others at the border may be as thin as the gap between segments and
+// curves. A whole component may be as thin as that.
 BorderStrip::Vote BorderStrip::vote_of(const Strip::Component &component) const {
     Vote vote;
     std::array<double, 2> middle{};
@@ -169,7 +172,8 @@ int32_t BorderStrip::site_of(int32_t point, int32_t block, Sites &sites) const {
                        : sites.of_param(places_.point(point), block, point_of_border(point));
 }
 
-// Segments know it, wherever polylines are in relation to their curves; middles of triangles where there is none but on seams.
+// The segments of the border decide, wherever the polylines lie relative to their curves. The middles of
+// triangles decide only where there are no segments but those on seams.
 std::vector<bool> BorderStrip::are_inside(const std::vector<Vote> &votes) const {
     const auto &components = strip_->components();
     std::vector<Vote> sums(components.size()); // of groups
@@ -186,7 +190,7 @@ std::vector<bool> BorderStrip::are_inside(const std::vector<Vote> &votes) const 
     return result;
 }
 
-// With the sites of the block that it is in.
+// A triangle, with the sites of the block that it is in.
 BorderStrip::Piece BorderStrip::piece_of(const StripTriangle &triangle, Sites &sites) const {
     std::array<double, 2> middle{};
     for (const int32_t corner : triangle.corners) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is between the border of a face and the cells inside, as triangles.
+// The strip: the triangulated region between the border of a face and the cells inside.
 #pragma once
 
 #include "mesh/domain/strip_places.h"
@@ -10,32 +10,37 @@ namespace nrb::mesh {
 
 class BorderStrip {
 public:
-    // `extra`: further places of triangles. `density`: how many cells there are on a step along each axis, in proportion.
+    // `extra`: further places for vertices. `density`: how many cells there are on a unit step along each
+    // axis, in proportion.
     BorderStrip(const MeshDomain &domain, const SegmentIndex &index, const CellGrid &cells,
                 const std::set<std::array<double, 2>> &extra, const std::array<double, 2> &density);
 
+    // A triangle, like StripTriangle, but of sites.
     struct Piece {
         std::array<int32_t, 3> sites;
-        std::array<int32_t, 3> border;
-        std::array<bool, 3> fixed;
+        std::array<int32_t, 3> border; // segments on the sides opposite the sites, -1: none
+        std::array<bool, 3> fixed;     // sides that may not be divided
     };
-    // Appends places that it has besides, which the next strip should have, too.
+    // Appends to `divided` the places that it adds by itself, which the next strip should have as well.
     [[nodiscard]] std::vector<Piece> triangles(Sites &sites,
                                                std::vector<std::array<double, 2>> &divided) const;
     // Segments of the border that cross each other.
     [[nodiscard]] std::vector<int32_t> crossed() const;
-    // Segments of the border on which other places are, and where: shares of them.
+    // Segments of the border that pass through other places, and where: as shares of their lengths.
     [[nodiscard]] std::vector<std::pair<int32_t, double>> touched() const;
-    // Points of the border that cannot be told apart in the domain, or are at one pole.
+    // Pairs of points of the border that cannot be told apart in the domain, or are at one pole.
     [[nodiscard]] std::vector<std::array<int32_t, 2>> united() const;
 
 private:
     void make_strip();
-    // Whether a component is inside; the negative if it is not.
+    // The evidence for a component being inside the face; negative numbers are evidence against it. The
+    // middle of its largest triangle is tested in place of the component.
     struct Vote {
-        bool in_cell = false;
-        double left = 0;   // the length of segments of the border that it is to the left of
-        double inside = 0; // the area of the fattest triangle, by its middle
+        bool in_cell = false; // a cell inside covers it, so that it is not part of the strip
+        // The lengths of segments of the border that have it to their left, less those of others.
+        double left = 0;
+        // Twice the area of the largest triangle, negative if the middle of that is outside.
+        double inside = 0;
     };
     [[nodiscard]] Vote vote_of(const Strip::Component &component) const;
     void unite_at_poles(std::vector<std::array<int32_t, 2>> &united) const;
@@ -43,9 +48,9 @@ private:
                                const std::array<double, 2> &other) const noexcept;
     [[nodiscard]] double left_of(const StripTriangle &triangle) const noexcept;
     [[nodiscard]] bool on_seam(const BorderSegment &segment) const noexcept;
-    // Of components: by groups.
+    // Whether each component is inside: decided for groups of them.
     [[nodiscard]] std::vector<bool> are_inside(const std::vector<Vote> &votes) const;
-    // Of a place, -1: it is none of the border.
+    // The point of the border that a place is; -1: none.
     [[nodiscard]] int32_t point_of_border(int32_t point) const noexcept;
     [[nodiscard]] Piece piece_of(const StripTriangle &triangle, Sites &sites) const;
     [[nodiscard]] int32_t site_of(int32_t point, int32_t block, Sites &sites) const;

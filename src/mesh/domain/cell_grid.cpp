@@ -111,7 +111,7 @@ void CellGrid::clear() noexcept {
 
 namespace {
 
-// Of lines that are among others, both rising: their numbers there.
+// The numbers that the old lines have among all, which contain them; both rise.
 std::vector<int32_t> numbers_among(const std::vector<CellLine> &old, const std::vector<CellLine> &all) {
     std::vector<int32_t> result;
     size_t at = 0;
@@ -126,7 +126,7 @@ std::vector<int32_t> numbers_among(const std::vector<CellLine> &old, const std::
 
 } // namespace
 
-// The order of places stays, so that one pass finds all.
+// Places keep their order, so that one pass over both tables finds all new numbers.
 std::vector<int32_t> CellGrid::cut(const std::vector<int32_t> &cells) {
     const std::array<std::vector<CellLine>, 2> lines{tree_.lines(0), tree_.lines(1)};
     const auto old_twins = std::move(twins_);

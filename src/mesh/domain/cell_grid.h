@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cells of a domain with the places where they have corners, while cells are divided.
+// The cells of a domain and the places where they have corners, kept up to date while cells are divided.
 #pragma once
 
 #include "mesh/cells/place_table.h"
@@ -23,26 +23,29 @@ public:
         const auto lines = table_->place(place).lines;
         return {t_of(0, lines[0]), t_of(1, lines[1])};
     }
-    // The same place as seen from a block at whose border it is.
+    // The same place by the lines of a block at whose border it is: along a kink, cells on either side have
+    // lines of their own.
     [[nodiscard]] int32_t in_block(int32_t place, const Rectangle &block) const noexcept;
-    // A place of an end of the domain that is a single point, if such an end holds these parameters; -1: none.
+    // If the parameters lie on an end of the domain that is a single point (a pole): a place on this end; -1:
+    // none.
     [[nodiscard]] int32_t pole_at(const std::array<double, 2> &param) const;
     [[nodiscard]] bool is_at_end(int32_t place) const noexcept;
-    // Whether it is inside of the domain on two lines at which the surface may have kinks.
+    // Whether a place lies inside the domain on two lines at which the surface may have kinks.
     [[nodiscard]] bool is_crossing(int32_t place) const noexcept;
-    // Whether a seam, a line at which the surface may have a kink, or a side of the domain ends there at a pole or at a seam.
+    // Whether a line ends there at a pole or at a seam: a seam, a line at which the surface may have a kink,
+    // or a side of the domain.
     [[nodiscard]] bool ends_line(int32_t place) const noexcept;
 
-    // A place, on the lines that are no farther from it than rounding.
+    // A place, moved to the lines from which it differs by no more than rounding.
     [[nodiscard]] std::array<double, 2> at_lines(std::array<double, 2> place) const noexcept;
-    // How far places are from each other, of the domain.
+    // How far apart two places are, as a share of the extent of the domain: the larger one of both axes.
     [[nodiscard]] double share(const std::array<double, 2> &a, const std::array<double, 2> &b) const noexcept;
 
-    // Cells that are no longer inside, but at the border.
+    // Marks cells as being at the border, no longer inside.
     void leave_to_border(const std::vector<int32_t> &cells) noexcept { tree_.leave_to_border(cells); }
-    // Divides cells. Returns the new numbers of places.
+    // Divides cells in two. Returns the new number of each place.
     std::vector<int32_t> cut(const std::vector<int32_t> &cells);
-    // Frees the memory. Nothing can be asked for after that.
+    // Frees the memory. Nothing can be asked for afterwards.
     void clear() noexcept;
 
 private:

@@ -10,11 +10,11 @@ namespace nrb::mesh {
 
 namespace {
 
-// Rounds in which triangles that are better shaped, and therefore elsewhere, are proven and divided.
+// Rounds in which triangles that are better shaped, and therefore lie elsewhere, are proven and divided.
 constexpr int most_proofs = 12;
-// More of them where triangles are left, in which flips may no longer put far sides in the place of near ones.
+// Further rounds where triangles are left: flips may then no longer replace near sides by far ones.
 constexpr int near_proofs = 8;
-// Larger angles than about this one leave no freedom for it.
+// Least angles, in radians, above about this one leave no freedom for such rounds.
 constexpr double most_kept_near = 0.4;
 
 } // namespace
@@ -25,7 +25,8 @@ AngleRefinement DomainMesher::refinement() {
         const double size = length(sites_.position(from) - sites_.position(to));
         return !turned && !(longest_ > 0 && size > longest_);
     };
-    // By the height of the arc that has such normals at its ends; without them nothing is known.
+    // By the height of the arc that has these normals at its ends. Without normals nothing is known, and the
+    // side is allowed.
     const auto is_near = [this](int32_t from, int32_t to) {
         const Vector3 along = sites_.position(to) - sites_.position(from);
         return !(std::abs(dot(along, sites_.normal(to) - sites_.normal(from))) / 8 > chord_);
@@ -45,7 +46,7 @@ AngleRefinement DomainMesher::refinement() {
     return result;
 }
 
-// In place of those that are no more, which were cells and are none.
+// Replaces triangles that are gone by the new ones. A cell that loses a triangle no longer counts as one.
 void DomainMesher::take(AngleRefinement &refinement) {
     for (const int32_t source : refinement.net().dropped()) {
         const auto at = static_cast<size_t>(source);
@@ -69,7 +70,7 @@ void DomainMesher::take(AngleRefinement &refinement) {
     }
 }
 
-// What is over the limits. Returns whether there is something new.
+// Divides triangles that are over the limits. Returns whether anything is new.
 bool DomainMesher::divide_far(AngleRefinement &refinement) {
     bool any = false;
     const int32_t count = refinement.net().size();
@@ -88,8 +89,9 @@ bool DomainMesher::divide_far(AngleRefinement &refinement) {
     return any;
 }
 
-// Distances come first: if it ends with larger ones than allowed, the mesh is the one before. Half of the work is left for another border.
-// Returns whether it came to an end.
+// Distances come first: if refinement ends with larger ones than allowed, the result is the mesh before it.
+// If the border may change, half of the work is left for a mesh with another border. Returns whether
+// refinement came to an end before the work did.
 bool DomainMesher::keep_least_angle() {
     if (!(rule_.least_angle > 0)) {
         return true;
@@ -109,7 +111,8 @@ bool DomainMesher::keep_least_angle() {
     return !work_ended();
 }
 
-// The proof is that of all other triangles: wherever new vertices made it worse, there are more of them, and angles are looked at again.
+// New triangles are proven like all others. Where new vertices made distances too large, more of them are
+// added, and then angles are refined again.
 void DomainMesher::refine_angles() {
     AngleRefinement refinement = this->refinement();
     const int rounds = most_proofs + (rule_.least_angle <= most_kept_near ? near_proofs : 0);

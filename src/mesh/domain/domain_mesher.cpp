@@ -14,9 +14,11 @@ namespace nrb::mesh {
 
 namespace {
 
-// What is left for the differences of an estimate and a proof.
+// Cells are cut until the estimated distance is within this share of the chord: the rest is room for what a
+// proof adds to an estimate.
 constexpr double share_of_estimate = 0.97;
-// Where edges are farther from the surface than the chord, so that it is not reached.
+// Maximum number of rounds where edges are off the surface by more than the chord, which then is out of
+// reach.
 constexpr int most_rounds_off = 16;
 
 } // namespace
@@ -38,7 +40,7 @@ DomainMesher::DomainMesher(const MeshDomain &domain, const MeshRule &rule)
     known_points_ = domain.points != nullptr ? static_cast<int32_t>(domain.points->size()) : 0;
 }
 
-// Where the work is not enough for what was asked for.
+// Enlarges the limits where the work is not enough for those that were asked for.
 void DomainMesher::coarsen(double factor) noexcept {
     chord_ *= factor;
     longest_ *= std::sqrt(factor);
@@ -73,7 +75,9 @@ CellRule DomainMesher::cell_rule() const {
     rule.longest = grid_.scaled(longest_);
     rule.angle = angle_;
     rule.least = least_;
-    // It has two, and one takes as long as the cell. What is small for other sakes than its distance is told as near as it is.
+    // A cell has two triangles, and proving one of them takes as long as the cell itself. Where triangles are
+    // small for the sake of another limit than the chord, their distances are bounded as tightly as possible,
+    // which takes longer.
     rule.work_behind = longest_ > 0 || angle_ > 0 ? 2 * work_of_triangle : work_of_triangle;
     for (size_t k = 0; k < 2; ++k) {
         const Interval axis = domain_.surface->axis(static_cast<int>(k)).domain();
@@ -100,7 +104,8 @@ Side DomainMesher::side_of(const Rectangle &part) const {
     return domain_.inside(part.middle()) ? Side::inside : Side::outside;
 }
 
-// Corners of cells inside, and room for the triangles of those with other places on their border than before.
+// Finds the corners of cells inside, and makes room for the triangles of those that have more places on their
+// border than before. Cells that are no longer inside lose their triangles.
 void DomainMesher::look_at_cells() {
     const auto &all = cells_.tree().cells();
     states_.reserve(all.size());
@@ -122,7 +127,7 @@ void DomainMesher::look_at_cells() {
     triangles_.make_room(more);
 }
 
-// The triangles of a cell, as sites.
+// The triangles of a cell, by their sites.
 void DomainMesher::make_cell(int32_t cell, const std::vector<int32_t> &border,
                              std::vector<std::array<int32_t, 3>> &sites) {
     const Cell &own = cells_.tree().cells()[static_cast<size_t>(cell)];
@@ -142,7 +147,7 @@ void DomainMesher::make_cell(int32_t cell, const std::vector<int32_t> &border,
     }
 }
 
-// Cells with as many places on their border as before have the triangles that they had.
+// Cells with as many places on their border as before keep their triangles.
 void DomainMesher::make_cells() {
     look_at_cells();
     std::vector<int32_t> border;
@@ -187,7 +192,8 @@ void DomainMesher::make_strip() {
     extra_.insert(more.begin(), more.end());
 }
 
-// Whether a side is where the surface ends: on an end of the domain, or where it jumps.
+// Whether a side lies where the surface ends: at an end of the domain that is neither a seam nor a pole, or
+// on a line at which the surface jumps.
 bool DomainMesher::is_border(const Site &from, const Site &to) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         const double t = from.param[k];
@@ -216,17 +222,18 @@ MeshTriangle DomainMesher::mesh_triangle(const SiteTriangle &triangle) const noe
     return result;
 }
 
-// What moves the pieces, and points that are evaluated. Where weights have either sign, that is relative to the least of the
-// surface.
+// By how much rounding moves the Bezier pieces and evaluated points, in units of the grid. Where weights have
+// both signs, that is relative to the least weight of the surface.
 double DomainMesher::rounding(double least_weight) const noexcept {
-    constexpr int divisions = 64; // no cell is the result of more
+    constexpr int divisions = 64; // no cell results from more
     return grid_.moved() + grid_.moved_by_weights(grid_.radius(), least_weight, divisions) +
            8 * grid_.value_error() * grid_.radius() * (grid_.positive() ? 1 : 1 / least_weight) +
            4 * eps * grid_.size();
 }
 
-// No triangles are nearer, or smaller, than rounding allows, however many there are. Then a mesh for the eye is made: for a
-// share of the size. Of what is a point that is nothing.
+// Replaces a limit that rounding keeps out of reach: no triangles are nearer to the surface, or smaller, than
+// rounding allows, however many there are. Then a mesh for display is made: the limit is a share of the size
+// of the surface, or twice the rounding if that is a point, which has no size.
 double DomainMesher::within_reach(double length, double share) const noexcept {
     const double reached = grid_.scaled(length), least = rounding(1);
     return reached > least ? length : grid_.unscaled(std::max(share * grid_.size(), 2 * least));
@@ -234,7 +241,9 @@ double DomainMesher::within_reach(double length, double share) const noexcept {
 
 void DomainMesher::prove() {
     slack_ = rounding(cells_.tree().least_weight());
-    // Other limits leave distances smaller, and where work ended they are to be as small as can be told.
+    // Distances within the chord need no tighter bound if the chord is the only limit. Under other limits
+    // they are smaller anyway, and where the work is not enough for the chord the bounds are to be as tight
+    // as possible.
     const bool by_distance =
         chord_ < infinity && longest_ == 0 && angle_ == 0 && !work_ended() && cells_.tree().coarsening() == 1;
     triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()),
@@ -249,7 +258,7 @@ Distances DomainMesher::distances(size_t triangle) const noexcept {
 
 DomainMesh mesh_of(const MeshDomain &domain, const MeshRule &rule) {
     DomainMesher mesher(domain, rule);
-    static_cast<void>(mesher.run()); // the border stays
+    static_cast<void>(mesher.run()); // there is a result, since the border is fixed
     return mesher.output(true);
 }
 

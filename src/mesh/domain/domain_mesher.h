@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What makes the mesh of a domain: making and proving in domain_mesher.cpp, judging and dividing in domain_rounds.cpp, angles in
-// domain_angles.cpp, the result in domain_output.cpp.
+// Makes the mesh of a domain by adaptive refinement. Triangles are made and proven in domain_mesher.cpp,
+// judged and divided in domain_rounds.cpp; domain_angles.cpp removes small angles, and domain_output.cpp
+// assembles the result.
 #pragma once
 
 #include "mesh/domain/angle_refinement.h"
@@ -13,29 +14,31 @@
 
 namespace nrb::mesh {
 
-// Rounds: triangles of cells and of the strip, proofs, and more cells, places and vertices of the border where these fail. What a
-// round does not change stays.
+// Each round triangulates the cells inside and the strip along the border, and bounds how far every triangle
+// is from the surface. Where a triangle is over a limit, the round adds cells, places of the strip or
+// vertices of the border. What it does not change is kept.
 class DomainMesher {
 public:
     DomainMesher(const MeshDomain &domain, const MeshRule &rule);
 
-    // Until no round would do better, or the work has ended. Returns whether there is a result: else the border is another one, for
-    // which only a new mesher will do.
+    // Runs rounds until none would improve the mesh, or the work has ended. Returns whether there is a
+    // result; otherwise the border has changed in a way that needs a new mesher.
     [[nodiscard]] bool run();
-    // Goes on where the border was divided further. Returns whether that is enough for it: else only a new mesher will do.
+    // Takes over a border that was divided further. Returns whether this mesher can go on with it; otherwise
+    // a new one is needed.
     [[nodiscard]] bool take_border();
-    // last: nothing follows, and memory is free for it.
+    // last: run() is not called again, so that the memory of cells is freed for the result.
     [[nodiscard]] DomainMesh output(bool last);
     [[nodiscard]] size_t triangle_count() const noexcept { return triangles_.size(); }
-    // Whether run() can go on after an output that was not the last one.
+    // Whether run() can be called again after an output that was not the last one.
     [[nodiscard]] bool goes_on() const noexcept { return !(rule_.least_angle > 0); }
 
 private:
-    // Of the triangles of a cell, side by side.
+    // A cell and its triangles, which follow each other in the pool.
     struct CellState {
         std::array<int32_t, 4> corners{-1, -1, -1, -1}; // places; -1: not known
-        int32_t places = 0;                             // on its border
-        bool centred = false;                           // triangles are about a vertex in its middle
+        int32_t places = 0;   // on its border, when its triangles were made; 0: they are to be made
+        bool centred = false; // its triangles are a fan around a vertex in its middle
         TrianglePool::Range triangles;
     };
 
@@ -55,16 +58,17 @@ private:
         return {sites_[triangle.sites[0]].point, sites_[triangle.sites[1]].point,
                 sites_[triangle.sites[2]].point};
     }
-    // Whether two corners are at one point.
+    // Whether two corners are one point, so that the triangle is degenerate.
     [[nodiscard]] bool is_at_point(const SiteTriangle &triangle) const noexcept {
         const auto p = points_of(triangle);
         return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
     }
+    // The side at whose midpoint a triangle of the strip is best divided.
     struct Split {
-        double size = 0;
-        std::array<double, 2> place{};
-        int32_t border = -1; // segment of the border
-        double share = 0;    // of the domain
+        double size = 0;               // length of the surface over it; infinite at a pole
+        std::array<double, 2> place{}; // its midpoint
+        int32_t border = -1;           // segment of the border
+        double share = 0;              // of the extent of the domain
     };
     [[nodiscard]] Split split_of(const SiteTriangle &triangle) const;
     [[nodiscard]] bool is_large(size_t triangle) const noexcept {
@@ -121,28 +125,28 @@ private:
     const MeshRule &rule_;
     const pieces::PieceGrid &grid_;
     std::optional<SegmentIndex> index_;
-    double chord_, longest_, angle_; // that triangles are made for
-    double least_;                   // in the units of the grid
+    double chord_, longest_, angle_; // the limits that triangles are made for
+    double least_;                   // in units of the grid: nothing shorter is divided for an angle
     CellGrid cells_;
-    double most_apart_;               // of unit normals
-    std::array<double, 2> density_{}; // of cells on steps along the axes
+    double most_apart_;               // of unit normals: the chord of the angle
+    std::array<double, 2> density_{}; // cells on a unit step along each axis, about
     Sites sites_;
     TriangleProof proof_;
-    std::set<std::array<double, 2>> extra_; // places of the strip besides
+    std::set<std::array<double, 2>> extra_; // additional places of the strip
     int round_ = 0;                         // since the border changed
     int all_rounds_ = 0;
     bool is_off_ = false;      // a triangle has a corner farther from the surface than the chord
-    int changes_ = 0;          // of the border, for other sakes than distances
-    int32_t known_points_ = 0; // of the domain
+    int changes_ = 0;          // of the border, for other reasons than distances
+    int32_t known_points_ = 0; // of the domain, when the border was last taken over
     std::vector<CellState> states_;
     TrianglePool triangles_;
-    double slack_ = 0;                                // what rounding adds to distances
+    double slack_ = 0;                                // what rounding adds to distances, in units of the grid
     std::vector<int32_t> crossed_;                    // segments of the border
     std::vector<std::array<int32_t, 2>> united_;      // points of the border
     std::vector<std::pair<int32_t, double>> touched_; // segments
-    std::map<int32_t, int> weak_;                     // these, and into how many parts they are to be divided
-    bool has_small_angles_ = false;                   // that count
-    std::optional<DomainMesh> before_angles_;         // what there was before them, if that is better
+    std::map<int32_t, int> weak_;             // segments, and into how many parts they are to be divided
+    bool has_small_angles_ = false;           // angles that count are too small
+    std::optional<DomainMesh> before_angles_; // the mesh before angles were refined, where it is better
 };
 
 } // namespace nrb::mesh

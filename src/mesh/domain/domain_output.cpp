@@ -6,7 +6,8 @@
 
 namespace nrb::mesh {
 
-// Whether each side of a triangle is one of two triangles, or at the border, and of two in opposite directions.
+// Whether the mesh has no gaps: each side of a triangle is at the border or belongs to two triangles, and no
+// two triangles have a side in the same direction.
 bool DomainMesher::is_whole() const {
     if (!domain_.inside) {
         return true;
@@ -38,7 +39,7 @@ bool DomainMesher::is_whole() const {
     return std::ranges::adjacent_find(directed) == directed.end();
 }
 
-// Whether it and the next one are all of a cell, without other places on its border.
+// Whether a triangle and the next one make up a cell, with no places on its border but its corners.
 bool DomainMesher::is_pair(size_t triangle) const noexcept {
     const int32_t cell = triangles_[triangle].cell;
     const CellState none, &state = cell < 0 ? none : states_[static_cast<size_t>(cell)];
@@ -57,7 +58,8 @@ std::vector<std::array<int32_t, 3>> DomainMesher::all_points() const {
     return all;
 }
 
-// What is told of all triangles. Returns whether none is over what they are made for.
+// Collects the distances and the pairs of all triangles. Returns whether all triangles are within the limits
+// that they are made for.
 bool DomainMesher::judge(DomainMesh &result) const {
     bool over = false;
     for (size_t i = 0; i < triangles_.size(); ++i) {
@@ -75,7 +77,8 @@ bool DomainMesher::judge(DomainMesh &result) const {
     return !over;
 }
 
-// Without sites and points that no triangle has, and without triangles that have two corners at a point. Returns whether there are such.
+// Leaves out sites and points that no triangle has, and degenerate triangles, which have two corners at one
+// point. Returns whether there are degenerate ones.
 bool DomainMesher::add_triangles(DomainMesh &result) const {
     std::vector<int32_t> sites(sites_.all().size(), -1),
         points(static_cast<size_t>(sites_.point_count()), -1);
@@ -115,7 +118,7 @@ bool DomainMesher::add_triangles(DomainMesh &result) const {
     return drops;
 }
 
-// Distances are infinite where parts of the face may be missing.
+// The distance from the shape is infinite where parts of the face may be missing.
 void DomainMesher::finish(bool good, DomainMesh &result) const {
     const bool drops = add_triangles(result);
     const bool whole = crossed_.empty() && !result.triangles.empty() &&
@@ -131,7 +134,7 @@ DomainMesh DomainMesher::output(bool last) {
     }
     DomainMesh result;
     const bool good = judge(result);
-    if (last) { // what follows takes as much memory
+    if (last) { // the result takes as much memory
         std::vector<CellState>().swap(states_);
         cells_.clear();
     }

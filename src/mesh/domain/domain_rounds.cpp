@@ -11,17 +11,21 @@ namespace nrb::mesh {
 
 namespace {
 
-// Rounds in which the strip is divided for an angle.
+// Maximum number of rounds in which triangles of the strip are divided for an angle.
 constexpr int most_angle_rounds = 10;
-// Of the chord: triangles that are no farther may do with a vertex in the middle of their cell.
+// In multiples of the chord: up to this distance a vertex in the middle of the cell may suffice.
 constexpr double most_centred = 2;
-// Changes of the border for other sakes than distances.
+// Maximum number of changes of the border for other reasons than distances.
 constexpr int most_changes = 12;
-// Of the domain: what is no longer is not divided where that helps, and where nothing is known of it.
+// Shares of the extent of the domain. A cell or side no larger than the first one is not divided, even where
+// that would help; a segment of the border no longer than the second one is not if it is short in space, too,
+// and no distance is known.
 constexpr double least_share = 0x1p-26, least_unknown = 0x1p-12;
-// Rounds after which what is beside triangles of the strip that are divided is divided too, and up to how far.
+// Rounds after which triangles beside divided ones of the strip are divided too, and in how many rings at
+// most.
 constexpr int slow_rounds = 8, most_rings = 64;
-// Of sizes of triangles that are about as large.
+// Range of the size of a split, relative to that of a divided triangle, in which triangles count as equally
+// large.
 constexpr double least_size = 0.9, most_size = 1.5;
 
 } // namespace
@@ -35,8 +39,8 @@ double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
     return longest;
 }
 
-// Where a triangle of the strip is best divided: at a pole on that side, else on the one over which the surface is longest, of those that
-// can be.
+// Where a triangle of the strip is best divided: on a side that is at a pole, else on the side over which the
+// surface is longest, of those that can be divided.
 DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     Split best;
     for (size_t k = 0; k < 3; ++k) {
@@ -53,7 +57,7 @@ DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
     return best;
 }
 
-// Of the corners; those without a normal do not count.
+// The largest difference of unit normals at the corners. Corners without a normal do not count.
 double DomainMesher::normals_apart(const SiteTriangle &triangle) const noexcept {
     double most = 0;
     for (size_t k = 0; k < 3; ++k) {
@@ -64,7 +68,7 @@ double DomainMesher::normals_apart(const SiteTriangle &triangle) const noexcept 
     return most;
 }
 
-// By the bound of its cell.
+// By the bound of its cell; 0 in the strip.
 double DomainMesher::turn_over(const SiteTriangle &triangle) const {
     return triangle.cell < 0 ? 0 : turn_of(cells_.tree().box(triangle.cell), least_).both;
 }
@@ -77,14 +81,16 @@ double DomainMesher::corners_off(size_t triangle) const noexcept {
     return off;
 }
 
-// Whether a corner on an edge is so far from the surface that parts would be as far as the triangle is, by a factor.
+// Whether a corner that is a point of an edge is so far from the surface that parts of the triangle would be
+// as far from it as the triangle is, up to a factor.
 bool DomainMesher::is_held(size_t triangle) const noexcept {
     constexpr double factor = 2;
     const double off = corners_off(triangle);
     return off > chord_ && distances(triangle).most() <= factor * off;
 }
 
-// Where the bound of a cell sees no turn, parts of it would not do better.
+// For an angle, a triangle of a cell is divided only if the bound over the cell shows a turn: otherwise parts
+// of it would do no better.
 bool DomainMesher::is_to_divide(size_t triangle) const {
     if (is_large(triangle)) {
         return is_long(triangle) || !is_held(triangle);
@@ -94,14 +100,15 @@ bool DomainMesher::is_to_divide(size_t triangle) const {
                                            : turn_of(cells_.tree().box(own.cell), least_).both > angle_ / 2);
 }
 
-// What is no longer stays as it is.
+// Sides that are no longer than this are not divided.
 double DomainMesher::least_split(size_t triangle) const noexcept {
     return !is_large(triangle) ? grid_.unscaled(least_)
            : longest_ > 0      ? std::min(chord_, longest_) / 4
                                : chord_ / 4;
 }
 
-// Corners may be near each other where the surface between them is not, so that distances count as long as there are such.
+// Corners may be near each other where the surface between them is not. So the length of a side does not
+// count while the triangle is too large and its distance is finite and not due to its corners.
 bool DomainMesher::is_tiny(size_t triangle, const Split &split) const noexcept {
     const bool known =
         is_large(triangle) && distances(triangle).most() < infinity && !(corners_off(triangle) > chord_);
@@ -114,7 +121,7 @@ bool DomainMesher::can_cut(int32_t cell) const noexcept {
     return cells_.share(part.lower, part.upper) > least_share;
 }
 
-// What is beside a segment shrinks with the square of its length, and normals turn with the length.
+// The deviation over a segment falls with the square of its length, the turn of normals with its length.
 int DomainMesher::parts_for(size_t triangle) const noexcept {
     constexpr double most = 8;
     const double turn = angle_ > 0 ? normals_apart(triangles_[triangle]) / most_apart_ : 0;
@@ -127,7 +134,8 @@ void DomainMesher::add_weak(int32_t segment, int parts) {
     own = std::max(own, parts);
 }
 
-// Where the work has ended, only so that there is a mesh at all.
+// Once the work has ended, no segment is weak any more: then the border changes only so that there is a mesh
+// at all.
 bool DomainMesher::change_border() {
     if (!domain_.change_border) {
         return false;
@@ -154,7 +162,8 @@ bool DomainMesher::take_border() {
     return united_.empty() && sites_.take_border();
 }
 
-// New segments are where their curves are, a little beside the old ones: cells into which they come are no longer inside.
+// New segments follow their curves and run a little beside the old ones: cells that they enter are no longer
+// inside.
 void DomainMesher::leave_border() {
     const FaceBorder &border = domain_.border;
     const auto point = [&](int32_t i) { return border.points[static_cast<size_t>(i)]; };
@@ -176,8 +185,8 @@ void DomainMesher::leave_border() {
     }
 }
 
-// Gives a cell a vertex in its middle, where that may do: it changes nothing beside the cell, so that neighbours stay as they are. Returns
-// whether it does.
+// Gives a cell a vertex in its middle where that may suffice: unlike a cut, it puts no place on the border of
+// the cell, so that its neighbours stay as they are. Returns whether it does.
 bool DomainMesher::centre(int32_t cell) {
     CellState &state = states_[static_cast<size_t>(cell)];
     const auto may_do = [this](size_t i) {
@@ -214,7 +223,7 @@ void DomainMesher::cut(const std::vector<int32_t> &cells) {
     }
 }
 
-// On both sides of a seam.
+// Adds a place; on a seam, on both sides of it.
 void DomainMesher::add_place(const std::array<double, 2> &place,
                              std::vector<std::array<double, 2>> &places) const {
     places.push_back(place);
@@ -228,7 +237,8 @@ void DomainMesher::add_place(const std::array<double, 2> &place,
     }
 }
 
-// A new place in it, or parts of the border. Returns the size of what has a new place; 0: nothing has.
+// Adds a place in a triangle, or asks for parts of its segments of the border. Returns the size of the split
+// if a place was added, else 0.
 double DomainMesher::divide_in_strip(size_t triangle, std::vector<std::array<double, 2>> &places) {
     const Split split = split_of(triangles_[triangle]);
     if (is_tiny(triangle, split)) {
@@ -238,7 +248,7 @@ double DomainMesher::divide_in_strip(size_t triangle, std::vector<std::array<dou
         add_place(split.place, places);
         return split.size;
     }
-    if (is_large(triangle) || changes_ < most_changes) { // also where a place is on the border
+    if (is_large(triangle) || changes_ < most_changes) { // also if the place fell on the border
         for (const int32_t segment : triangles_[triangle].border) {
             if (segment >= 0 && (split.border < 0 || segment == split.border)) {
                 add_weak(segment, parts_for(triangle));
@@ -248,12 +258,13 @@ double DomainMesher::divide_in_strip(size_t triangle, std::vector<std::array<dou
     return 0;
 }
 
-// A new place may leave the triangles beside it over the distance, so that along a strip each round would come no farther than the next
-// triangle. So those beside them that are about as large are divided as well, in twice as many rings around them each round. Where
-// triangles become smaller from round to round there are none.
+// A new place may leave the triangles beside it over the chord, so that along a strip each round would come
+// no farther than the next triangle. So triangles of about the same size around divided ones are divided as
+// well, in twice as many rings each round. Where triangles become smaller from round to round there are no
+// such neighbours.
 void DomainMesher::divide_beside(std::vector<std::pair<size_t, double>> front,
                                  std::vector<std::array<double, 2>> &places) {
-    std::vector<double> sizes(static_cast<size_t>(sites_.point_count())); // of those divided at each point
+    std::vector<double> sizes(static_cast<size_t>(sites_.point_count())); // the largest split at each point
     std::vector<bool> done(triangles_.size());
     const int rings = round_ - slow_rounds < 6 ? 1 << (round_ - slow_rounds) : most_rings;
     for (int ring = 0; ring < rings && !front.empty(); ++ring) {
@@ -271,7 +282,8 @@ void DomainMesher::divide_beside(std::vector<std::pair<size_t, double>> front,
     }
 }
 
-// Triangles of the strip with a point of a size that is about theirs.
+// Further triangles of the strip that are about as large as the largest divided one at their corners, with
+// the size of that.
 std::vector<std::pair<size_t, double>> DomainMesher::beside(const std::vector<double> &sizes,
                                                             const std::vector<bool> &done) const {
     std::vector<std::pair<size_t, double>> result;
@@ -292,12 +304,12 @@ std::vector<std::pair<size_t, double>> DomainMesher::beside(const std::vector<do
     return result;
 }
 
-// Returns whether there was anything to divide that can be.
+// Returns whether there was anything to divide.
 bool DomainMesher::divide_cells(std::vector<int32_t> cells) {
     std::ranges::sort(cells);
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    const bool twice = round_ >= 4; // few are left, and every round takes its time: across both axes
-    count_work((twice ? 8 : 4) * work_of_triangle * std::ssize(cells)); // of the parts, which may be too many
+    const bool twice = round_ >= 4; // few are left, and every round takes time: across both axes
+    count_work((twice ? 8 : 4) * work_of_triangle * std::ssize(cells)); // of the parts: it may be too much
     if (cells.empty() || work_ended()) {
         return false;
     }
@@ -313,7 +325,7 @@ bool DomainMesher::divide_cells(std::vector<int32_t> cells) {
     return true;
 }
 
-// Cells and triangles of the strip that are over the tolerance are divided.
+// Divides cells and triangles of the strip that are over a limit. Returns whether anything is new.
 bool DomainMesher::improve() {
     std::vector<int32_t> cells;
     std::vector<std::array<double, 2>> places;
@@ -328,7 +340,7 @@ bool DomainMesher::improve() {
                 divided.emplace_back(i, size);
             }
         } else if (distances(i).from_shape < infinity && can_cut(cell)) {
-            cells.push_back(cell); // without any bound they are as small as is sensible
+            cells.push_back(cell); // those without any bound are as small as is sensible
         }
     }
     if (round_ >= slow_rounds && !divided.empty()) {

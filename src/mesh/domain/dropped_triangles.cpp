@@ -9,13 +9,13 @@ namespace {
 
 using Corners = std::array<int32_t, 3>;
 
-// The least and the greatest of its points.
+// The segment that a degenerate triangle is: its least and its greatest point.
 std::array<int32_t, 2> segment_of(const Corners &p) noexcept {
     const auto [least, greatest] = std::ranges::minmax(p);
     return {least, greatest};
 }
 
-// Takes the sides and corners of a triangle out of what is sought.
+// Marks the segments and points that are sides and corners of a triangle as found.
 void strike(const Corners &p, std::vector<std::array<int32_t, 2>> &sought, std::vector<bool> &found) {
     const auto strike_one = [&](int32_t a, int32_t b) {
         const std::array<int32_t, 2> side{std::min(a, b), std::max(a, b)};

@@ -34,7 +34,7 @@ void PartProof::add_triangle(int32_t triangle) {
     meshed_.push_back(meshed);
 }
 
-// The wanted ones first, in their order.
+// Collects the part: the wanted triangles first, in their order, then those around them.
 void PartProof::gather(std::span<const int32_t> wanted) {
     for (const int32_t point : points_) {
         own_points_[static_cast<size_t>(point)] = -1;
@@ -66,7 +66,7 @@ void PartProof::Off::add(const Off &other) noexcept {
     over = std::max(over, other.over);
 }
 
-// Of the triangles around each point: those beside a triangle count as well as itself.
+// At each point, the maximum over the triangles around it: the neighbours of a triangle count like itself.
 void PartProof::set_offs() {
     point_offs_.assign(points_.size(), {});
     for (size_t i = 0; i < triangles_.size(); ++i) {
@@ -76,12 +76,14 @@ void PartProof::set_offs() {
     }
 }
 
-// Where the face ends before the surface over its triangles, or goes on, counts by itself, or on top of all.
+// The face may end before the surface over its triangles does, or go on beyond it. The region between counts
+// either by itself, as the `edge` of the bounds, or on top of everything, as part of `over`; the smaller
+// result is taken.
 void PartProof::prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
     gather(wanted);
     bound();
     set_offs();
-    std::vector<int32_t> own(wanted.size()); // the first ones here
+    std::vector<int32_t> own(wanted.size()); // the first ones of the part
     std::iota(own.begin(), own.end(), 0);
     MeshBound mesh(points_.size(), meshed_, bounds_, own);
     out.resize(wanted.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances of some triangles of a mesh, which those around them count for.
+// Bounds the distances of some triangles of a mesh, to which the triangles around them contribute.
 #pragma once
 
 #include "mesh/domain/triangle_proof.h"
@@ -11,15 +11,18 @@
 
 namespace nrb::mesh {
 
-// Goes on with the working memory of the parts before.
+// Works part by part, and uses its working memory again for each part.
 class PartProof {
 public:
     using TriangleOf = std::function<SiteTriangle(size_t)>;
-    // triangles: by their points, of which there are so many; wanted: those of all parts.
+    // triangles: of the whole mesh, by their points; points: how many there are; wanted: the triangles of all
+    // parts; triangle_of: the sites of a triangle.
     PartProof(TriangleProof &proof, size_t points, std::span<const MeshTriangle> triangles,
               std::span<const int32_t> wanted, TriangleOf triangle_of);
 
-    // With what moves corners; 0: no distance is enough. Neighbours in space are best near each other.
+    // Bounds the distances of the wanted triangles of a part, including what moves their corners off the
+    // surface. Distances up to `enough` need no tighter bound; 0: all are bounded as tightly as possible. It
+    // is fastest if triangles that are neighbours in space are near each other in the order.
     void prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out);
 
 private:
@@ -33,19 +36,20 @@ private:
     std::span<const MeshTriangle> all_;
     PointFans fans_;
     TriangleOf triangle_of_;
-    std::vector<int32_t> own_points_, own_triangles_; // their numbers here; -1: not here
-    // Here.
-    std::vector<int32_t> points_, triangles_; // their numbers in the mesh
+    std::vector<int32_t> own_points_, own_triangles_; // their numbers in the part; -1: not in it
+    // The part: the wanted triangles and those around them.
+    std::vector<int32_t> points_, triangles_; // numbers in the mesh
     std::vector<MeshTriangle> meshed_;
     std::vector<TriangleBound> bounds_;
-    // How far a mesh on the surface is from the one that there is, and from what that stands for: corners, and these with what is between sides
-    // and curves of the border.
+    // Bounds hold for a mesh with its corners on the surface. moved: how far the actual mesh is from that
+    // one, since its corners are moved off the surface; over: the same, plus what is between sides and curves
+    // of the border.
     struct Off {
         double moved = 0, over = 0;
         void add(const Off &other) noexcept;
     };
     std::vector<Off> offs_;       // of triangles
-    std::vector<Off> point_offs_; // the most of those around
+    std::vector<Off> point_offs_; // of points: the maximum over the triangles around
 };
 
 } // namespace nrb::mesh

@@ -14,9 +14,10 @@ namespace {
 
 using Piece = BorderStrip::Piece;
 
-// A flip may make another fin.
+// Passes over all fins, since a flip may make another one.
 constexpr int most_passes = 8;
 
+// Opens fins by flips.
 class FinFlips {
 public:
     FinFlips(const Sites &sites, std::vector<Piece> &triangles) : sites_(sites), triangles_(triangles) {
@@ -25,7 +26,7 @@ public:
         }
     }
 
-    // Whether any of them could be.
+    // Returns whether any fin could be opened.
     bool open(const std::vector<std::array<size_t, 2>> &fins) {
         bool any = false;
         for (const auto &[one, other] : fins) {
@@ -40,7 +41,8 @@ public:
     }
 
 private:
-    // The side opposite of a corner, if what is beyond it is none of the points of the triangle.
+    // Flips the side opposite a corner, unless the apex of the triangle beyond it is one of the points of the
+    // triangle. Returns whether it did.
     bool flip_beyond(size_t triangle, size_t corner);
     void add_sides(size_t i) {
         for (size_t k = 0; k < 3; ++k) {
@@ -54,7 +56,8 @@ private:
 
     const Sites &sites_;
     std::vector<Piece> &triangles_;
-    std::map<std::array<int32_t, 2>, std::pair<size_t, size_t>> opposite_; // triangle and corner
+    // Of each directed side: its triangle, and the corner opposite it.
+    std::map<std::array<int32_t, 2>, std::pair<size_t, size_t>> opposite_;
 };
 
 bool FinFlips::flip_beyond(size_t triangle, size_t corner) {
@@ -90,7 +93,7 @@ std::array<int32_t, 3> points_of(const Sites &sites, const Piece &triangle) noex
     return {sites[triangle.sites[0]].point, sites[triangle.sites[1]].point, sites[triangle.sites[2]].point};
 }
 
-// Pairs of triangles of the same three points.
+// Fins: pairs of triangles with the same three points.
 std::vector<std::array<size_t, 2>> fins_of(const Sites &sites, const std::vector<Piece> &triangles) {
     std::map<std::array<int32_t, 3>, size_t> known;
     std::vector<std::array<size_t, 2>> fins;
@@ -122,7 +125,8 @@ std::set<std::array<int32_t, 2>> border_sides(const Sites &sites, const std::vec
     return sides;
 }
 
-// Divides triangles at the sides that two faces may have alike. Both triangles at a side do so, at one place.
+// Divides triangles at doubtful sides, which the mesh of another face may have as well. Both triangles at
+// such a side are divided at the same place.
 class SideSplits {
 public:
     SideSplits(const CellGrid &cells, Sites &sites, std::vector<Piece> &triangles,
@@ -135,7 +139,7 @@ public:
     }
 
     void split_all() {
-        for (size_t i = 0; i < triangles_.size(); ++i) { // parts are added behind them
+        for (size_t i = 0; i < triangles_.size(); ++i) { // parts are appended
             while (const std::optional<size_t> side = doubtful_side(triangles_[i])) {
                 split(i, *side);
             }
@@ -143,7 +147,8 @@ public:
     }
 
 private:
-    // From a pole to a further place of a border on which this is, but none of its segments.
+    // Whether a side leads from a pole on the border to another vertex of the border, and is none of its
+    // segments.
     [[nodiscard]] bool is_doubtful(const Piece &triangle, size_t k) const {
         const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
         const int32_t a = sites_[from].point, b = sites_[to].point;
@@ -176,8 +181,8 @@ private:
     Sites &sites_;
     std::vector<Piece> &triangles_;
     std::vector<std::array<double, 2>> &divided_;
-    std::set<std::array<int32_t, 2>> border_; // segments
-    std::set<int32_t> on_border_;             // points
+    std::set<std::array<int32_t, 2>> border_; // segments, by their points
+    std::set<int32_t> on_border_;             // points of these
 };
 
 } // namespace

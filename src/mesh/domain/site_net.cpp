@@ -7,7 +7,7 @@ namespace nrb::mesh {
 
 namespace {
 
-// A side from one number to another, and which it is.
+// A directed side, by the numbers of its ends, and whose it is.
 struct Directed {
     std::array<int32_t, 2> ends;
     int32_t triangle;
@@ -21,7 +21,7 @@ int32_t SiteNet::add(const NetTriangle &triangle) {
     return size() - 1;
 }
 
-// What occurs once in either direction.
+// Joins sides that occur exactly once in each direction.
 void SiteNet::join(const std::vector<int32_t> &points) {
     for (const bool by_points : {false, true}) {
         std::vector<Directed> open;
@@ -66,7 +66,7 @@ void SiteNet::link(int32_t t, size_t k, int32_t u, size_t j, const NetSide &like
     side(u, j).back = static_cast<int32_t>(k);
 }
 
-// And the other way round.
+// Sets a side, and makes its neighbour refer back to it.
 void SiteNet::set_side(int32_t t, size_t k, const NetSide &own) noexcept {
     side(t, k) = own;
     if (own.next >= 0) {
@@ -179,7 +179,7 @@ void SiteNet::split_side(int32_t t, size_t k, int32_t v, int32_t w) {
     }
     const auto j = static_cast<size_t>(old.back);
     const NetTriangle other = (*this)[old.next];
-    const int32_t q = other.sites[j], c = other.sites[(j + 1) % 3], d = other.sites[(j + 2) % 3]; // as b, a
+    const int32_t q = other.sites[j], c = other.sites[(j + 1) % 3], d = other.sites[(j + 2) % 3]; // at b, a
     const int32_t third = replace(old.next, {q, c, w}), fourth = replace(-1, {q, w, d});
     set_side(third, 2, other.sides[(j + 2) % 3]);
     set_side(fourth, 1, other.sides[(j + 1) % 3]);

@@ -14,7 +14,7 @@ namespace {
 // Sites that are evaluated in one batch.
 constexpr size_t most_at_once = 8192;
 
-// With no room to spare where many values come at once; with some where they come one by one.
+// Leaves no spare capacity where many values come at once, but some where they come one by one.
 template <class T>
 void resize(std::vector<T> &values, size_t n, const T &value = T{}) {
     if (n > values.size() + values.size() / 4) {
@@ -28,7 +28,7 @@ void resize(std::vector<T> &values, size_t n, const T &value = T{}) {
 Sites::Sites(const MeshDomain &domain, const CellGrid &cells)
     : domain_(domain), cells_(cells), place_sites_(static_cast<size_t>(cells.table().count()), -1),
       place_points_(place_sites_.size(), -1) {
-    static_cast<void>(take_border()); // of no sites yet
+    static_cast<void>(take_border()); // there are no sites yet
     make_room();
 }
 
@@ -51,21 +51,22 @@ bool Sites::take_border() {
     return set_border_points() && apart;
 }
 
-// All places are sites where all of the domain is inside.
+// Where all of the domain is inside, every place becomes a site.
 void Sites::make_room() {
     if (!domain_.inside) {
         sites_.reserve(place_sites_.size());
     }
 }
 
-// Returns whether the place is at no own point.
+// Returns whether the place has a point of the border then, not an own one.
 bool Sites::set_point(int32_t place, int32_t border) {
     int32_t &own = place_points_[static_cast<size_t>(cells_.table().point_of(place))];
     own = own < 0 ? point_of_border(border) : own;
     return border_of(own) >= 0;
 }
 
-// Points of the border stand for the places at which they are, and for poles. Returns whether all of these do.
+// Points of the border stand for the places of cells at which they are, and for poles. Returns whether no
+// such place has an own point already.
 bool Sites::set_border_points() {
     bool all = true;
     for (const auto &[param, point] : border_points_) {
@@ -117,7 +118,7 @@ int32_t Sites::of_place(int32_t place) {
     return site;
 }
 
-// The same place at the lower ends of closed axes.
+// The copy of a place at the lower ends of closed axes.
 std::array<double, 2> Sites::before_seams(std::array<double, 2> param) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         const auto &ends = cells_.tree().block_ends(k);
@@ -177,7 +178,7 @@ double Sites::way(int32_t from, int32_t to) const {
     return length(x - position(from)) + length(position(to) - x);
 }
 
-// In groups of equal sides.
+// In groups of sites that are limits from the same side.
 void Sites::evaluate(size_t first, size_t last) {
     std::array<std::vector<size_t>, 4> groups;
     for (size_t i = first; i < last; ++i) {

@@ -12,7 +12,7 @@ StripPlaces::StripPlaces(const MeshDomain &domain, const SegmentIndex &index, co
     look_at_cells();
     add_places();
     for (const auto &param : extra) {
-        add_point(cells.at_lines(param), -1); // lines may have come since
+        add_point(cells.at_lines(param), -1); // lines may have been added since
     }
     add_walls();
 }
@@ -25,7 +25,7 @@ void StripPlaces::add_point(const std::array<double, 2> &param, int32_t place) {
     }
 }
 
-// All of it, in its order.
+// Adds all points of the border in their order, several at one place among them.
 void StripPlaces::add_border() {
     for (const BorderPoint &point : domain_.border.points) {
         of_param_.try_emplace(point.param, static_cast<int32_t>(points_.size()));
@@ -57,7 +57,7 @@ void StripPlaces::look_at_cells() {
     }
 }
 
-// Whether a corner of cells is inside, or at an end of the domain, and not near the border.
+// Whether a corner of cells is inside or at an end of the domain, and not near the border.
 bool StripPlaces::is_wanted(int32_t place) const {
     const std::array<double, 2> param = cells_.param(place);
     const auto &sides = sides_[static_cast<size_t>(place)];
@@ -66,13 +66,14 @@ bool StripPlaces::is_wanted(int32_t place) const {
         near.lower[k] -= near_border * sides[k];
         near.upper[k] += near_border * sides[k];
     }
-    if (cells_.is_crossing(place)) { // two kinks: without it one of the lines would have no wall
+    if (cells_.is_crossing(place)) { // of two kinks: without it one of the lines would have no wall
         return domain_.inside({param[0], param[1]});
     }
     return !index_.any_in(near) && (cells_.is_at_end(place) || domain_.inside({param[0], param[1]}));
 }
 
-// Corners of cells that the border cuts, and what cells inside share with these. Both sides of a seam or a kink have the same places.
+// Adds the corners of cells at the border, except those that are outside or too near to the border; corners
+// that cells inside share are always added. Both sides of a seam or a kink get the same places.
 void StripPlaces::add_places() {
     const PlaceTable &table = cells_.table();
     std::vector<bool> kept(needed_.size(), false), dropped(needed_.size(), false);
@@ -86,7 +87,7 @@ void StripPlaces::add_places() {
         const auto point = static_cast<size_t>(table.point_of(place));
         if (touched_[static_cast<size_t>(place)]) {
             shared_[point] = true;
-            const bool of_line = cells_.ends_line(place); // without it the line would end before it
+            const bool of_line = cells_.ends_line(place); // without it the line would end before this place
             if (kept[point] || !dropped[point] || of_line) {
                 add_point(cells_.param(place), place);
             }
@@ -94,7 +95,8 @@ void StripPlaces::add_places() {
     }
 }
 
-// The border; what cells inside end at; seams, and lines at which the surface may have a kink.
+// Walls are the segments of the border, the sides at which cells inside meet the strip, seams, and lines at
+// which the surface may have a kink.
 void StripPlaces::add_walls() {
     for (size_t i = 0; i < domain_.border.segments.size(); ++i) {
         const BorderSegment &segment = domain_.border.segments[i];
@@ -122,7 +124,9 @@ int32_t StripPlaces::point_at(int32_t place) const {
     return found == of_param_.end() ? -1 : found->second;
 }
 
-// Sides that a cell inside and one at the border have in opposite directions; both sides of a kink are one line of the plane.
+// Adds the sides at which cells inside meet the strip, a staircase: those that a cell inside and one at the
+// border have in opposite directions. Sides are compared by places of the domain, so that the two lines of a
+// kink are one.
 void StripPlaces::add_staircase() {
     using Ends = std::pair<int32_t, int32_t>;
     std::vector<Ends> of_inside;
@@ -152,7 +156,7 @@ void StripPlaces::add_staircase() {
     }
 }
 
-// Sides of cells inside that are on a seam, on either side of it: the axis and where they begin and end on it.
+// Sides of cells inside that lie on a seam, at either end of the domain.
 std::set<StripPlaces::Step> StripPlaces::steps_on_seams() const {
     std::set<Step> result;
     std::vector<int32_t> border;
@@ -184,7 +188,8 @@ bool StripPlaces::touches_seam(const Rectangle &part) const noexcept {
            is_on_seam(1, part.upper[1]);
 }
 
-// A seam can be divided where no cell is on either side.
+// Adds walls between neighbouring places on a line. A side on a seam may be divided unless it is a side of a
+// cell inside, at either end of the domain.
 void StripPlaces::add_line_walls(size_t k, double t, bool passable, const std::set<Step> &steps) {
     std::vector<std::pair<double, int32_t>> on;
     for (size_t i = 0; i < points_.size(); ++i) {

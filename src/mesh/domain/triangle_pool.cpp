@@ -13,7 +13,7 @@ namespace {
 
 // Triangles whose bounds are in memory at once.
 constexpr size_t triangles_of_a_part = 4096;
-// Of fewer, distances are told as small as they can be: that takes next to no time.
+// Of fewer triangles, all distances are bounded as tightly as possible: that takes next to no time.
 constexpr size_t least_to_hurry = 1024;
 
 float rounded_up(double x) noexcept {
@@ -94,7 +94,7 @@ void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
     distances_.resize(sites_.size());
     PartProof parts(proof, points, meshed_, wanted, [this](size_t i) { return (*this)[i]; });
     std::vector<Distances> found;
-    // The last ones first: of their cells boxes are kept.
+    // From the last one on: the boxes of the cells that were made last are still kept.
     for (auto rest = std::span(std::as_const(wanted)); !rest.empty();) {
         const auto part = rest.last(std::min(triangles_of_a_part, rest.size()));
         rest = rest.first(rest.size() - part.size());

@@ -11,12 +11,12 @@ namespace nrb::mesh {
 
 namespace {
 
-// Triangles of the strip over more pieces are bounded by the cells that they meet.
+// Triangles of the strip over more pieces than this are bounded by the boxes of the cells that they meet.
 constexpr int64_t most_pieces = 64;
-// Multiply-adds of the box of such a triangle, and of finding one that is known, estimated.
+// Multiply-adds, estimated: of the box of a triangle of the strip, and of finding one that is known.
 constexpr int64_t work_of_a_box = 3000, work_of_a_known_one = 300;
 
-// How far places between a segment of the border and its curve are from it, in space.
+// How far places between a segment of the border and its curve are from the segment, in space.
 double move_over(const BorderSegment &segment, const HessianBox &box, const Rectangle &cell,
                  double most) noexcept {
     const double u = segment.over[0] / cell.side(0), v = segment.over[1] / cell.side(1);
@@ -24,16 +24,16 @@ double move_over(const BorderSegment &segment, const HessianBox &box, const Rect
         return box.move(std::clamp(u, -most, most), 0) + box.move(0, std::clamp(v, -most, most));
     }
     const double longer = std::max(std::abs(u), std::abs(v)), part = longer > most ? most / longer : 1;
-    return box.move(part * u, part * v); // what of the way is in the cell, in its direction
+    return box.move(part * u, part * v); // the part of the step that fits into the cell
 }
 
-// The part of a rectangle in a block, of a width along both axes.
+// Intersects a rectangle with a block. The result has a positive width along both axes.
 Rectangle in_block(const Rectangle &part, const Rectangle &block) noexcept {
     Rectangle result;
     for (size_t k = 0; k < 2; ++k) {
         result.lower[k] = std::max(part.lower[k], block.lower[k]);
         result.upper[k] = std::min(part.upper[k], block.upper[k]);
-        if (!(result.lower[k] < result.upper[k])) { // along a line
+        if (!(result.lower[k] < result.upper[k])) { // a rectangle on a line
             const double step = 1e-9 * block.side(k), lower = result.lower[k];
             result.lower[k] = std::max(block.lower[k], std::min(lower, result.upper[k]) - step);
             result.upper[k] = std::min(block.upper[k], std::max(lower, result.upper[k]) + step);
@@ -51,7 +51,7 @@ void take_better(double other, double &bound) noexcept {
     bound = std::min(bound, other);
 }
 
-// Both are bounds of one triangle.
+// Both are bounds of the same triangle, so that the smaller ones hold.
 void take_better(const TriangleBound &other, TriangleBound &bound) noexcept {
     take_better(other.height, bound.height);
     take_better(other.out, bound.out);
@@ -128,7 +128,7 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
         grid_.place(given.data(), in_grid.data());
         TriangleCorner &corner = result.corners[k];
         corner = {sites_[site].param, {in_grid[0], in_grid[1], domain_.surface->dim() == 3 ? in_grid[2] : 0}};
-        if (&x != &own) { // else it is where it is evaluated
+        if (&x != &own) { // else the point is the position of the site
             result.moved = std::max(result.moved, grid_.scaled(length(x - own)));
         }
         for (size_t axis = 0; axis < 2; ++axis) {
@@ -140,14 +140,17 @@ TriangleProof::Placed TriangleProof::placed(const SiteTriangle &triangle) const 
     return result;
 }
 
-// The triangle is that of the surface A / w whose net is moved by the sum of l_i w_i e_i: by e_i in its corners, and between them by no
-// more than that of the largest one times the sum of l_i w_i / w.
+// Let e_i be the vectors by which the corners of the triangle are off the surface A / w, w_i the weights
+// there, and l_i the barycentric coordinates in the domain. The triangle is inscribed in the surface (A + sum
+// l_i w_i e_i) / w, whose second derivatives are the same. It is moved by e_i at the corners, and between
+// them by no more than the largest |e_i| times (sum l_i w_i) / w. bound.weighed bounds this factor.
 double TriangleProof::moved_between(const Placed &placed, const TriangleBound &bound) noexcept {
     return placed.moved > 0 ? placed.moved * bound.weighed : 0;
 }
 
-// A triangle may reach a little beyond a line at which the surface may have a kink, where rounding sets its corners. There both the
-// surface and what it would be without the kink are as near to that line as they move on the way.
+// A triangle may reach a little beyond a line at which the surface may have a kink, since rounding moves its
+// corners. There the surface, and its continuation without the kink, are both no farther from that line than
+// they can move on the way.
 double TriangleProof::moved_beyond(const Rectangle &part, const Rectangle &block) const noexcept {
     constexpr double room = 1e-6;
     double moved = 0;
@@ -174,7 +177,7 @@ ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {
     return {bound, moved, moved};
 }
 
-// Along an axis, what a part that reaches over seams has of each block.
+// Splits the extent of a part along an axis into intervals of single blocks. The part may reach over seams.
 std::vector<Interval> TriangleProof::in_blocks(const Rectangle &part, size_t k) const {
     const auto &ends = cells_.tree().block_ends(k);
     const double period = ends.back() - ends.front();
@@ -192,8 +195,8 @@ std::vector<Interval> TriangleProof::in_blocks(const Rectangle &part, size_t k) 
     return result;
 }
 
-// Curves beside their segments, in all blocks into which these reach: each has first derivatives of its own, and in each a way is no
-// longer than the part of it.
+// For curves that reach into several blocks. The surface has first derivatives of its own in each block, so
+// that the moves in all blocks are added up. In each block a step counts up to the extent of the part there.
 TriangleProof::Moves TriangleProof::moves_in_blocks(const SiteTriangle &triangle, const Rectangle &part) {
     Moves moves{};
     for (const Interval &u : in_blocks(part, 0)) {
@@ -211,7 +214,7 @@ TriangleProof::Moves TriangleProof::moves_in_blocks(const SiteTriangle &triangle
     return moves;
 }
 
-// By as much as curves are beside their segments.
+// Widens a part by the steps from the sides of the triangle to their curves of the border.
 void TriangleProof::widen(const SiteTriangle &triangle, Rectangle &part) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         double beside = 0;
@@ -226,8 +229,9 @@ void TriangleProof::widen(const SiteTriangle &triangle, Rectangle &part) const n
     }
 }
 
-// By how much shares of the corners change between a side and its curve: a step is as much of a corner as of the area, with the side in front of
-// that.
+// Bounds how much the barycentric coordinates change on a step from a side to its curve. That of a corner
+// changes by the ratio of two areas: that of the parallelogram of the step and the side opposite the corner,
+// and twice that of the triangle.
 std::array<double, 3> TriangleProof::shares_of_step(const SiteTriangle &triangle, const Placed &placed,
                                                     size_t side) const noexcept {
     const BorderSegment &segment = domain_.border.segments[static_cast<size_t>(triangle.border[side])];
@@ -247,10 +251,17 @@ std::array<double, 3> TriangleProof::shares_of_step(const SiteTriangle &triangle
     return shares;
 }
 
-// What is between side k and its curve is within a step of the side, in the domain. Its height over the plane, where N is a height,
-// is at most 1/2 sum |l_i l_j N_ij|, with the most N_ij of the second derivative along the sides (pairs.h; the l_i may be negative, and what is
-// affine in them is larger by as much); in the plane it is as far from the side as the image of that and the surface on the step. Both
-// hold likewise for the way from a place of the triangle below to the curve.
+// Bounds `edge`: how far the surface between a side of the triangle at the border and its curve is from the
+// triangle, and the other way round.
+//
+// Every place x between side k and its curve is within a step of the side, in the domain. Let l_i be the
+// barycentric coordinates of x; they may be negative, and `all` bounds the sum of their magnitudes.
+// - Across the plane: the height of the surface at x is at most 1/2 sum |l_i l_j| N_ij over the three pairs,
+//   where N_ij bounds the second derivative of the heights along side ij (pairs.h). What is affine in the l_i
+//   may be larger at x than on the triangle: the factor all (1 + 2 shares[k]) allows for that.
+// - In the plane: the surface at x is as far from the side as the image of the side is (`across`), plus as
+//   far as the surface moves on the step (`moves`).
+// Both bounds also hold on the way from the place of the triangle below x to the curve.
 void TriangleProof::set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves,
                              bool one_block, TriangleBound &bound) const noexcept {
     for (size_t k = 0; k < 3; ++k) {
@@ -264,10 +275,10 @@ void TriangleProof::set_edge(const SiteTriangle &triangle, const Placed &placed,
                              shares[k] * all / 2 * std::max(bound.bends[i], bound.bends[j])) *
                                 all * (1 + 2 * shares[k]) +
                             bound.flat;
-        // In other blocks the second derivatives are not known: there a way may lead anywhere.
+        // In other blocks the second derivatives are not known: there a step may lead in any direction.
         const double up = one_block ? high : high + moves[k];
         const double apart = diagonal(up, bound.across[k] + moves[k]) * (1 + 16 * eps) +
-                             (all - 1) * moved_between(placed, bound); // of corners, whose shares are larger
+                             (all - 1) * moved_between(placed, bound); // corners count by larger coordinates
         bound.edge = std::max(bound.edge, apart < infinity ? apart : infinity);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far triangles of a domain are from the surface, each by itself.
+// Bounds how far triangles of a domain are from the surface, each by itself.
 #pragma once
 
 #include "mesh/cells/piece_bound.h"
@@ -10,49 +10,56 @@
 
 namespace nrb::mesh {
 
-// A triangle in a cell, or in the strip along the border, where sides may be segments of this.
+// A triangle of a cell, or of the strip along the border, where its sides may be segments of the border.
 struct SiteTriangle {
     std::array<int32_t, 3> sites;
-    int32_t cell = -1;
-    std::array<int32_t, 3> border{-1, -1, -1};
-    std::array<bool, 3> fixed{};
+    int32_t cell = -1;                         // -1: of the strip
+    std::array<int32_t, 3> border{-1, -1, -1}; // segments on the sides opposite the sites, -1: none
+    std::array<bool, 3> fixed{};               // sides that may not be divided
 };
 
 struct ProvenTriangle {
     TriangleBound bound;
-    double moved = 0; // besides: by how much the surface is moved so that it has the corners
-    double over = 0;  // and what is between sides and curves of the border from that over the sides
+    // What comes on top of the bound. moved: by how much the surface has to be moved to pass through the
+    // corners; over: the same, and how far what is between sides and curves of the border is from the surface
+    // over these sides.
+    double moved = 0;
+    double over = 0;
 };
 
 class TriangleProof {
 public:
-    // `chord`: what is within it needs no better proof.
+    // `chord`: distances within it need no tighter bound.
     TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites, double chord);
 
-    // Bounds of the strip are kept: most triangles stay from one round to the next. In units of the grid.
+    // In units of the grid. Bounds of triangles of the strip are kept, since most of these stay from one
+    // round to the next.
     [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle);
-    // Where segments of the border have new numbers: what is known of those that stayed stays known.
+    // Takes over a border whose segments have new numbers. The bounds of triangles at segments that did not
+    // change stay known.
     void take_border();
 
 private:
     using Key = std::array<int32_t, 6>;
-    using SegmentKey = std::array<uint64_t, 7>; // its ends, and what is between it and its curve, bit for bit
+    // The ends of a segment, and the step to its curve, bit for bit.
+    using SegmentKey = std::array<uint64_t, 7>;
     struct Hash {
         size_t operator()(const Key &key) const noexcept;
     };
-    // A triangle with the part of the domain around it.
+    // The corners of a triangle in the frame of the grid, and its bounding box in the domain.
     struct Placed {
         std::array<TriangleCorner, 3> corners;
         Rectangle part;
-        double moved = 0; // the most of its corners
+        double moved = 0; // how far corners are off the surface at most
     };
     [[nodiscard]] Placed placed(const SiteTriangle &triangle) const;
     [[nodiscard]] ProvenTriangle in_cell(const SiteTriangle &triangle);
     [[nodiscard]] ProvenTriangle in_strip(const SiteTriangle &triangle);
-    using Moves = std::array<double, 3>; // of places between sides and curves of the border, from these sides
+    // For each side, how far in space places between it and its curve of the border are from it.
+    using Moves = std::array<double, 3>;
     [[nodiscard]] TriangleBound over_cells(const Placed &placed, int32_t block, const SiteTriangle &triangle,
                                            Moves &moves) const;
-    // Ways are counted up to so many sides of the cell.
+    // most: no step counts for more than so many sides of the cell along an axis.
     [[nodiscard]] Moves moves_over(const SiteTriangle &triangle, const HessianBox &box, const Rectangle &cell,
                                    double most = infinity) const;
     [[nodiscard]] std::vector<Interval> in_blocks(const Rectangle &part, size_t k) const;
@@ -61,7 +68,7 @@ private:
                                                        size_t side) const noexcept;
     [[nodiscard]] static double moved_between(const Placed &placed, const TriangleBound &bound) noexcept;
     [[nodiscard]] double moved_beyond(const Rectangle &part, const Rectangle &block) const noexcept;
-    // one_block: whether curves of the border stay in that of the triangle.
+    // one_block: whether the curves of the border stay in the block of the triangle.
     void set_edge(const SiteTriangle &triangle, const Placed &placed, const Moves &moves, bool one_block,
                   TriangleBound &bound) const noexcept;
     void widen(const SiteTriangle &triangle, Rectangle &part) const noexcept;
@@ -74,8 +81,8 @@ private:
     CellNets nets_;
     PieceBound by_pieces_;
     std::unordered_map<Key, ProvenTriangle, Hash> known_;
-    std::map<SegmentKey, int32_t> numbers_; // of all segments that there were
-    std::vector<int32_t> own_numbers_;      // of those of the border
+    std::map<SegmentKey, int32_t> numbers_; // of all segments that there ever were
+    std::vector<int32_t> own_numbers_;      // of the segments of the present border
 };
 
 } // namespace nrb::mesh

@@ -14,7 +14,7 @@ namespace nrb::mesh {
 
 namespace {
 
-// The largest value of a (1 - s) + b s + 4 h s (1 - s) for s between 0 and 1.
+// The maximum of a (1 - s) + b s + 4 h s (1 - s) over s from 0 to 1.
 double highest(double a, double b, double h) noexcept {
     const double slope = std::abs(b - a);
     return slope >= 4 * h ? std::max(a, b) : a / 2 + b / 2 + h + slope * (slope / (16 * h));
@@ -39,8 +39,9 @@ void Chord::set(const double *start, const double *end) {
     rounding_ = (dim_ + 4) * eps * (norm(start, dim_) + norm(end, dim_));
 }
 
-// The vectors from the start to control points, their products with the direction and their components across it are each
-// within some (dim + 4) eps of the distances of both from the centre; the ends are within eps of their own.
+// The vectors from the start to control points, their products with the direction, and their components
+// across it each have errors of about (dim + 4) eps times the distances of both points from the centre. The
+// ends of the segment are within eps times their own distances.
 double Chord::noise(const pieces::BezierPiece &piece) const noexcept {
     return piece.moved() + 4 * ((dim_ + 4) * eps * piece.reach() + rounding_);
 }
@@ -72,9 +73,10 @@ Chord::Spread Chord::spread(const pieces::BezierPiece &piece) {
     return all;
 }
 
-// The numerator N(s) of the vector across the segment is within s (1 - s) / 2 max |N''| of the line between its ends, and
-// N'' in the hull of degree (degree - 1) times second differences. Exact to the third order of the length of the piece,
-// where control points are twice as far away (degree 2) as the curve.
+// The vector across the segment has a numerator N(s) over the piece. It differs from linear interpolation
+// between its ends by at most s (1 - s) / 2 max |N''|, where N'' is in the convex hull of degree (degree - 1)
+// times the second differences of its coefficients. This bound is exact up to the third order of the length
+// of the piece, whereas control points are farther away than the curve, twice as far for degree 2.
 Chord::Bends Chord::bends(const pieces::BezierPiece &piece) const noexcept {
     const auto n = static_cast<size_t>(dim_);
     const int64_t last = piece.coefficients() - 1;
@@ -103,7 +105,8 @@ double Chord::distance(const pieces::BezierPiece &piece) {
     return distance(piece, 2);
 }
 
-// Of a point that is between the ends, seen along the segment, the distance is that across; beyond an end both count.
+// The distance of a point whose foot point is between the ends is its distance across the segment; beyond an
+// end, the distance along the segment counts, too.
 double Chord::distance(const pieces::BezierPiece &piece, int halvings) {
     if (!piece.sound()) {
         return infinity;
@@ -134,7 +137,7 @@ double Chord::end_gap(const pieces::BezierPiece &piece) const noexcept {
     return nrb::distance(piece.point(piece.coefficients() - 1), end_.data(), dim_) + noise(piece);
 }
 
-// Of all vectors that are within `error` of this one.
+// The largest angle of the segment with a vector that is within `error` of this one.
 double Chord::angle_with(const double *vector, double error) const noexcept {
     const double size = norm(vector, dim_);
     const double along = dot(vector, direction_.data(), dim_);
@@ -160,7 +163,8 @@ double Chord::turn(const pieces::BezierPiece &piece) const {
     for (size_t i = 0; i < slopes.count(); ++i) {
         turn = std::max(turn, angle_with(slopes.vector(i), slopes.error()));
     }
-    // The direction of the segment is off by the rounding of its ends.
+    // The direction of the segment is off by the rounding of its ends. A cone of half-angle less than pi / 2
+    // is convex, so it contains the convex hull of the vectors.
     turn += std::asin(std::min(1.0, 4 * rounding_ / length_));
     return turn < std::numbers::pi / 2 ? turn : std::numbers::pi;
 }

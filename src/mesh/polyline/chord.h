@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far parts of a curve are from a segment, and how far they turn from its direction, with proof.
+// Proven bounds on the distance of parts of a curve from a segment (chord error), and on the angles of their
+// tangents with it.
 #pragma once
 
 #include "pieces/bezier_piece.h"
@@ -8,33 +9,35 @@
 
 namespace nrb::mesh {
 
-// The segment between two points of the frame of some pieces.
+// The segment between two points in the frame of some pieces. All bounds include rounding.
 class Chord {
 public:
-    // Of points of `dim` coordinates.
+    // For points of `dim` coordinates.
     explicit Chord(int dim);
     void set(const double *start, const double *end);
 
-    // No less than the distance of the points.
+    // An upper bound on the distance of the points.
     [[nodiscard]] double length() const noexcept { return length_ + 8 * rounding_; }
-    // No point of the exact piece is farther from the segment.
+    // A bound on the distance of all points of the exact piece from the segment.
     [[nodiscard]] double distance(const pieces::BezierPiece &piece);
-    // No farther is the first point of the piece from the start, and its last point from the end of the segment.
+    // Bounds on the distance of the first point of the piece from the start of the segment, and of its last
+    // point from the end.
     [[nodiscard]] double start_gap(const pieces::BezierPiece &piece) const noexcept;
     [[nodiscard]] double end_gap(const pieces::BezierPiece &piece) const noexcept;
-    // No tangent of the exact piece makes a larger angle with the direction of the segment; pi where that is not known.
+    // A bound on the angles between tangents of the exact piece and the direction of the segment; pi where
+    // none is known.
     [[nodiscard]] double turn(const pieces::BezierPiece &piece) const;
-    // What rounding adds to all that.
+    // The part of all these bounds that is due to rounding.
     [[nodiscard]] double noise(const pieces::BezierPiece &piece) const noexcept;
 
 private:
-    struct Spread { // of the control points, seen along the segment
+    struct Spread { // of the control points, in the directions across and along the segment
         double across = 0;
         double least = 0, most = 0;
     };
-    struct Bends { // of what lies across the segment
+    struct Bends { // of the components across the segment
         double across = 0;
-        bool rough = false; // the piece is so long that halves would give a much better bound
+        bool rough = false; // the piece is so long that its halves would give a much better bound
     };
 
     [[nodiscard]] Spread spread(const pieces::BezierPiece &piece);
@@ -44,9 +47,9 @@ private:
     [[nodiscard]] double angle_with(const double *vector, double error) const noexcept;
 
     int dim_;
-    std::vector<double> start_, end_, direction_; // of length 1, or 0 if the ends are one point
-    double length_ = 0, rounding_ = 0;            // of the coordinates
-    std::vector<double> numerators_; // w times the vectors across the segment, [coefficients][dim]
+    std::vector<double> start_, end_, direction_; // a unit vector, or 0 if the ends are one point
+    double length_ = 0, rounding_ = 0;            // rounding_: of the coordinates
+    std::vector<double> numerators_; // w times the components across the segment, [coefficients][dim]
 };
 
 } // namespace nrb::mesh

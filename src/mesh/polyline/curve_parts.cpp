@@ -15,11 +15,11 @@ namespace nrb::mesh {
 
 namespace {
 
-// Parts that are smaller, in the frame, are not divided for the sake of an angle: they hold a cusp.
+// Parts smaller than this, in the frame, are not divided for the sake of an angle: they contain a cusp.
 constexpr double least_turn = 0x1p-20;
 constexpr int64_t work_of_a_point = 300;
 
-// The direction at an end of a piece with positive weights, and how far it may be off.
+// The tangent direction at an end of a piece with positive weights, and a bound on its error.
 struct Direction {
     std::vector<double> unit;
     double error = infinity;
@@ -43,7 +43,8 @@ Direction direction_at(const pieces::BezierPiece &piece, bool upper) {
     return {};
 }
 
-// Whether nothing can be proven of parts of a piece either: overflow or rounding may have made all of it.
+// Whether nothing can be proven about parts of a piece either, because overflow or rounding may account for
+// all of it.
 bool hidden(const pieces::BezierPiece &piece) noexcept {
     const pieces::Rounding &rounding = piece.rounding();
     bool small = true;
@@ -53,7 +54,7 @@ bool hidden(const pieces::BezierPiece &piece) noexcept {
     return small || !std::isfinite(rounding.apart + rounding.record + rounding.weight);
 }
 
-// Rounded up, so that it holds where the unit of the caller is so large that digits are lost.
+// Rounded up, so that the bound also holds where the caller's unit is so large that digits are lost.
 double rounded_up(double bound) noexcept {
     return bound == 0 ? 0 : std::nextafter(bound, infinity);
 }
@@ -88,8 +89,9 @@ bool CurveParts::meet(const Vertex &before, const Vertex &after) const {
     return std::isfinite(noise) && gap <= 4 * (noise + eps * size);
 }
 
-// Nothing at breaks where the curve is proven to be continuous, as control points alone are evaluated bit for bit, and its
-// direction changes by no more than rounding.
+// There is none at breaks where the curve is proven to be continuous and its direction changes by no more
+// than rounding. Where the multiplicity exceeds the degree, each limit is a control point, which is evaluated
+// bit for bit: equal limits prove continuity.
 std::optional<Corner> CurveParts::corner(size_t e) const {
     const double t = starts_[e];
     const int order = curve_.axis(0).degree() - multiplicity(curve_.axis(0).knots(), t);
@@ -153,9 +155,10 @@ void CurveParts::add(const pieces::BezierPiece &piece, Sizes &sizes) {
     }
 }
 
-// As the curve is continuous between the vertices, its points lie across all of the segment but what is left at the
-// ends: so the distance of the segment from the curve is no larger than that of the curve from the segment, or the gaps at
-// its ends. These come from rounding alone: no division makes them less.
+// The Hausdorff distance is bounded in both directions. The curve is continuous between the vertices, so the
+// foot points of its points cover the segment except for gaps at its ends. So the distance of the segment
+// from the curve is no larger than that of the curve from the segment, or than the gaps. These come from
+// rounding alone: no division makes them smaller.
 CurveParts::Sizes CurveParts::sizes(const Vertex &from, const Vertex &to) {
     segment_.set(from.in_frame.data(), to.in_frame.data());
     Sizes all;
@@ -174,7 +177,8 @@ CurveParts::Sizes CurveParts::sizes(const Vertex &from, const Vertex &to) {
     return all;
 }
 
-// A bound falls with the square of the length of a segment, so far as rounding lets it; what turns, with the length.
+// The bound is proportional to the square of the length of a segment, as far as rounding allows, and the
+// turning of the tangent to the length.
 Segment CurveParts::segment(const Vertex &from, const Vertex &to) {
     const Sizes all = sizes(from, to);
     const double reachable = std::max(chord_ * (1 - 0x1p-30), 4 * all.floor);

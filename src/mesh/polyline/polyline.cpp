@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    // Where the curve jumps, with both limits as vertices.
+    // Continues the chain to a stop. Where the curve jumps, both limits become vertices.
     void go_to(const Corner &stop) {
         const Vertex right = goes_on_from(stop.t);
         const Vertex end = stop.jump ? parts_.vertex(stop.t, true) : right;
@@ -45,7 +45,7 @@ private:
             chain_.segments.push_back({});
         }
     }
-    // A periodic curve goes on where it began, bit for bit.
+    // The vertex from which the curve goes on. A periodic curve goes on where it began, bit for bit.
     [[nodiscard]] Vertex goes_on_from(double t) const {
         if (!periodic_ || t < domain_.upper) {
             return parts_.vertex(t, false);
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] bool jumps() const noexcept {
         return std::ranges::adjacent_find(chain_.vertices, {}, &Vertex::t) != chain_.vertices.end();
     }
-    // A closed curve is no polygon of two sides, unless it is a point.
+    // A closed curve must not become a polygon with one or two sides.
     void open_up() {
         const size_t count = chain_.segments.size();
         if (count >= 3 || !closed_ || jumps()) {
@@ -84,7 +84,7 @@ private:
     CurveParts parts_;
     Interval domain_;
     bool periodic_, closed_;
-    Run chain_; // so far; segments at jumps are empty
+    Run chain_; // so far; at jumps segments are empty
 };
 
 } // namespace

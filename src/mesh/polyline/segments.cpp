@@ -14,10 +14,10 @@ namespace nrb::mesh {
 
 namespace {
 
-// What a step aims at, and where it is long enough.
+// The share of the rule that a step aims at, and the share from which it is long enough.
 constexpr double aim = 0.98, enough = 0.95;
 constexpr int most_tries = 8;
-// A short segment at the end is shared by so many.
+// The number of segments over which a short last one is spread.
 constexpr size_t most_spread = 16;
 
 struct Step {
@@ -25,13 +25,13 @@ struct Step {
     Segment segment;
 };
 
-// The longest step that the rule allows, within a few hundredths.
+// Finds the longest step that the rule allows, within a few hundredths.
 class StepSearch {
 public:
     StepSearch(CurveParts &parts, const Vertex &from, const Vertex &end)
         : parts_(parts), from_(from), end_(end) {}
 
-    // About as long as a guess, which becomes that for the step after it.
+    // Starts with the length `guess`, which becomes the guess for the step after this one.
     Step run(double &guess) {
         for (double length = guess; !work_ended();) {
             Step tried = step(length);
@@ -55,7 +55,7 @@ private:
     [[nodiscard]] Step to_end() { return {end_, parts_.segment(from_, end_)}; }
     [[nodiscard]] Step step(double length) {
         const double t = std::max(from_.t + length, std::nextafter(from_.t, infinity));
-        if (!(t + length * 0x1p-20 < end_.t)) { // nothing that is left over is tiny
+        if (!(t + length * 0x1p-20 < end_.t)) { // leaves no tiny rest
             return to_end();
         }
         Vertex to = parts_.vertex(t, false);
@@ -64,7 +64,8 @@ private:
     }
     [[nodiscard]] bool at_end(const Step &step) const noexcept { return !(step.to.t < end_.t); }
 
-    // Learns from a step, and predicts a better one: between one that stays and one that does not, if there are both.
+    // Learns from a step, and predicts a better length: between one that stays and one that does not, if both
+    // are known.
     double length_after(const Step &tried) noexcept {
         const double length = tried.to.t - from_.t;
         (tried.segment.stays() ? fitting_ : failing_) = length;
@@ -75,11 +76,11 @@ private:
         const bool inside = fitting_ < predicted && predicted < failing_;
         return std::isinf(failing_) || (inside && tries_ < 3) ? predicted : fitting_ / 2 + failing_ / 2;
     }
-    // Of the length of a step, for one that is as long as the rule allows.
+    // The factor from the length of a step to the longest that the rule allows.
     static double factor_to(const Segment &segment, double most) noexcept {
         return segment.hopeless ? most : std::clamp(aim / segment.need, 0x1p-20, most);
     }
-    // Whether there is a better step between the longest that stays and the shortest that does not.
+    // Whether a better step may lie between the longest that stays and the shortest that does not.
     [[nodiscard]] bool brackets() const noexcept { return fitting_ < 0.97 * failing_; }
     [[nodiscard]] bool can_divide(const Step &tried) const noexcept {
         return std::nextafter(from_.t, infinity) < tried.to.t;
@@ -92,12 +93,12 @@ private:
 
     CurveParts &parts_;
     const Vertex &from_, &end_;
-    std::optional<Step> best_; // that stays
+    std::optional<Step> best_; // the best one that stays
     double fitting_ = 0, failing_ = infinity;
-    int tries_ = 0; // since one stayed
+    int tries_ = 0; // since the first that stayed
 };
 
-// Parameters that divide what the segments of a run need into equal parts.
+// Parameters that divide the total need of the segments of a run into equal parts.
 std::vector<double> even_params(const Run &run, double total, int64_t count) {
     std::vector<double> params;
     double before = 0;
@@ -116,7 +117,7 @@ std::vector<double> even_params(const Run &run, double total, int64_t count) {
     return params;
 }
 
-// A run over vertices at such parameters; none as soon as a segment breaks the rule.
+// A run over vertices at these parameters; nothing if one of its segments breaks the rule.
 std::optional<Run> fitting_run(CurveParts &parts, const Run &old, const std::vector<double> &params) {
     Run run{{old.vertices.front()}, {}};
     for (size_t i = 0; i <= params.size(); ++i) {
@@ -133,7 +134,7 @@ std::optional<Run> fitting_run(CurveParts &parts, const Run &old, const std::vec
     return run;
 }
 
-// Takes the last segments off, so many at most.
+// Takes off the last segments of a run, at most so many.
 Run last_of(Run &run, size_t most) {
     const size_t count = std::min(run.segments.size(), most), first = run.segments.size() - count;
     Run last;

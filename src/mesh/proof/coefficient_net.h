@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bernstein coefficients of a homogeneous surface piece, and what they say of its second derivatives.
+// Bernstein coefficients of a homogeneous surface piece, and bounds on its second derivatives from them.
 #pragma once
 
 #include "mesh/proof/four.h"
@@ -7,7 +7,7 @@
 
 namespace nrb::mesh {
 
-// Bernstein coefficients [u][v], of a function or of a derivative.
+// Bernstein coefficients [u][v] of a function or one of its derivatives, four numbers each.
 struct CoefficientNet {
     int u, v;
     double *rows;
@@ -15,22 +15,24 @@ struct CoefficientNet {
     [[nodiscard]] double *row(int i, int j) const noexcept {
         return rows + static_cast<size_t>(i * v + j) * 4;
     }
-    // From a row to the next one along an axis.
+    // The distance from a coefficient to the next one along an axis, in doubles.
     [[nodiscard]] int step(int axis) const noexcept { return axis == 0 ? 4 * v : 4; }
     [[nodiscard]] Four at(int i, int j) const noexcept { return Four(row(i, j)); }
     void set(int i, int j, const Four &x) const noexcept { x.store(row(i, j)); }
 };
 
-// Along an axis. Precondition: out.rows has room.
+// Differences of neighbouring coefficients along an axis. Precondition: out.rows has room for them.
 void differences(const CoefficientNet &net, int axis, CoefficientNet &out) noexcept;
 
-// Differences of a net along an axis, times a factor, with an error of each of them before, of every coordinate. The plane is that through
-// the means of the corners; a plane has the coefficients of its values at the places of control points, so that what coefficients differ
-// from it bounds what the function does.
+// Ranges of the differences of a net along an axis, times `factor`, for each of the four coordinates. `error`
+// bounds the error of a difference before it is multiplied, in every coordinate. `planes`: whether the ranges
+// are affine, with the mean slopes between the corner coefficients, and not constants. An affine function has
+// its values at the Greville abscissae as Bernstein coefficients (linear precision), so by the convex hull
+// property the deviations of the coefficients from it bound those of the function.
 std::array<Range, 4> ranges_of_differences(const CoefficientNet &net, int axis, double factor, double error,
                                            bool planes) noexcept;
 
-// The four numbers side by side.
+// The numbers of a range as lanes.
 inline Four four_of(const Range &range) noexcept {
     return {range.middle, range.u, range.v, range.radius};
 }

@@ -5,7 +5,7 @@ namespace nrb::mesh {
 
 namespace {
 
-// What lies where sign (x[k] - limit) <= 0.
+// The part of a polygon where sign (x[k] - limit) <= 0.
 CutPolygon half(const CutPolygon &given, size_t k, double limit, double sign) noexcept {
     CutPolygon result;
     const std::span<const CutPlace> places = given.places();
@@ -19,7 +19,7 @@ CutPolygon half(const CutPolygon &given, size_t k, double limit, double sign) no
             const double t = over / (over - next);
             std::array<double, 2> x{from.at[0] * (1 - t) + to.at[0] * t, from.at[1] * (1 - t) + to.at[1] * t};
             x[k] = limit;
-            result.add({x, over <= 0 ? -1 : from.side}); // out of it, along the line; or in again
+            result.add({x, over <= 0 ? -1 : from.side}); // leaves along the line, enters along the edge
         }
     }
     return result;

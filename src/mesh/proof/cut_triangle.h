@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A triangle of the domain cut along lines u = const and v = const.
+// Clips a triangle of the domain to a rectangle (Sutherland-Hodgman algorithm).
 #pragma once
 
 #include "mesh/proof/triangle_bound.h"
@@ -8,17 +8,18 @@
 
 namespace nrb::mesh {
 
+// A vertex of a polygon. side: the side of the triangle on which the edge to the next vertex lies; -1: none.
 struct CutPlace {
     std::array<double, 2> at;
-    int side; // of the triangle: that on which the side from here to the next place lies, -1: none
+    int side;
 };
 
-// Part of a triangle: a convex polygon. Each of four lines adds one place; where rounding makes a polygon cross a line more often, 3 places
-// become 4, 6, 9 and 13 at most.
+// A part of a triangle: a convex polygon. Clipping at each of four lines adds one vertex. Where rounding
+// makes a polygon cross a line more often, n vertices become at most 3 n / 2: from 3 at most 4, 6, 9 and 13.
 class CutPolygon {
 public:
     [[nodiscard]] std::span<const CutPlace> places() const &noexcept { return {all_.data(), count_}; }
-    void places() && = delete; // they would be gone
+    void places() && = delete; // would dangle
     void add(const CutPlace &place) noexcept { all_[count_++] = place; }
 
 private:
@@ -26,7 +27,7 @@ private:
     size_t count_ = 0;
 };
 
-// What a triangle has of a rectangle; fewer than three places: nothing.
+// The intersection of a triangle and a rectangle; empty if it has fewer than three vertices.
 CutPolygon cut_triangle(const std::array<std::array<double, 2>, 3> &triangle, const Rectangle &part) noexcept;
 
 } // namespace nrb::mesh

@@ -18,7 +18,7 @@ inline double distance_from_segment(const Vector3 &x, const Vector3 &a, const Ve
     return length(x - (a + t * along));
 }
 
-// From the plane where the foot is inside, else from the sides.
+// The distance from the plane if the foot point is inside the triangle, else from the nearest side.
 inline double distance_from_triangle(const Vector3 &x, const std::array<Vector3, 3> &corners) noexcept {
     const Vector3 product = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double area = length(product);

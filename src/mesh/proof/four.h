@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Four numbers in two registers of every processor: the coordinates of a homogeneous point. They are used a few at a time, inside of code
-// that is not worth a choice of instruction sets at run time (base/simd.h), by the vectors of the compilers.
+// Four doubles in two 128-bit vector registers, which every processor has: for example a homogeneous point
+// (x, y, z, w). They serve code that needs a few of them at a time, which is not worth a run-time choice of
+// instruction sets (base/simd.h): the vector extensions of the compilers do.
 #pragma once
 
 #include <array>
@@ -59,7 +60,7 @@ inline std::array<Four, 4> transposed(const std::array<Four, 4> &x) noexcept {
             Four(Pair{a.high[1], b.high[1]}, Pair{c.high[1], d.high[1]})};
 }
 
-// Without the bits of the signs.
+// Clears the sign bits.
 inline Four abs(const Four &a) noexcept {
     using Bits = int64_t __attribute__((vector_size(16)));
     constexpr Bits rest{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
@@ -67,7 +68,7 @@ inline Four abs(const Four &a) noexcept {
             reinterpret_cast<Pair>(reinterpret_cast<Bits>(a.high) & rest)};
 }
 
-// Of the length of the first three.
+// The squared length of the first three numbers.
 inline double square3(const Four &a) noexcept {
     return a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
 }

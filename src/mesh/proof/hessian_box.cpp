@@ -10,7 +10,7 @@ namespace nrb::mesh {
 
 namespace {
 
-// Takes coefficients (x, y, z, w) to an origin and axes.
+// Transforms coefficients (x, y, z, w) to an origin and axes.
 class Axes {
 public:
     Axes(const Vector3 &origin, const std::array<Vector3, 3> &axes) noexcept
@@ -72,7 +72,6 @@ HessianBox::HessianBox(const Vector3 &origin, const std::array<Vector3, 3> &axes
     reach_ = std::sqrt(reach_);
 }
 
-// Of second derivatives: an error of a coefficient counts four times.
 void HessianBox::add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
                      double noise, bool steps) {
     const bool fresh = largest_weight_ < least_weight_;
@@ -106,6 +105,7 @@ void HessianBox::add_second(const std::array<CoefficientNet, 2> &first, const st
     const auto [p, q] = degrees;
     const auto [fu, fv] = factors;
     const bool whole = fu == 1 && fv == 1;
+    // The weights of a second difference, 1, -2, 1 or 1, -1, -1, 1, have magnitudes that add up to 4.
     const double error = 4 * noise_;
     const auto uu = ranges_of_differences(first[0], 0, p * (p - 1) * fu * fu, error, whole),
                uv = ranges_of_differences(first[0], 1, p * q * fu * fv, error, whole),
@@ -132,7 +132,7 @@ void HessianBox::set_sizes() noexcept {
     }
 }
 
-// Whether a first derivative may differ by more than a tenth.
+// Whether first derivatives may vary by more than a tenth of the largest one.
 bool HessianBox::is_coarse() const noexcept {
     double first = 0, second = 0;
     for (size_t c = 0; c < 3; ++c) {
@@ -143,14 +143,14 @@ bool HessianBox::is_coarse() const noexcept {
 }
 
 void HessianBox::add_reach(const CoefficientNet &net) noexcept {
-    double reach = 0; // squares
+    double reach = 0; // squared
     for (int i = 0; i < net.u * net.v; ++i) {
         reach = std::max(reach, square3(Four(net.rows + 4 * i)));
     }
     coefficient_reach_ = std::max(coefficient_reach_, std::sqrt(reach) * (1 + 4 * eps) + 4 * noise_);
 }
 
-// factors: what differences of coefficients are multiplied by.
+// factors: what the differences of coefficients are multiplied by.
 void HessianBox::add_first(const std::array<CoefficientNet, 2> &first,
                            const std::array<double, 2> &factors) noexcept {
     for (const size_t k : {size_t{0}, size_t{1}}) {
@@ -168,7 +168,8 @@ void HessianBox::add_first(const std::array<CoefficientNet, 2> &first,
     }
 }
 
-// d . (A - w P) = d . (A - w O) + d . (O - P) w. The axes are orthonormal to a few eps, and what follows takes some eps more.
+// d . (A - w P) = d . (A - w O) + d . (O - P) w. The noise covers the axes, which are orthonormal to a few
+// eps, and the rounding of the sums.
 Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
     const std::array<double, coordinates> factors{dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2]),
                                                   dot(d, origin_ - p)};
@@ -185,7 +186,7 @@ Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
             range_of(vv + Four(0, 0, 0, noise * sums_[2]))};
 }
 
-// Coordinates side by side.
+// All coordinates at once, one in each lane.
 Hessian HessianBox::size(const Vector3 &p) const noexcept {
     const Vector3 off = origin_ - p;
     const Four moved(dot(axes_[0], off), dot(axes_[1], off), dot(axes_[2], off), 0);
@@ -210,9 +211,11 @@ Hessian HessianBox::sizes(const Vector3 &p, double distance) const noexcept {
     return {radius(0), radius(1), radius(2)};
 }
 
-// What constant second derivatives make of a first one differs from its mean by a half of each at most. What these differ from constants
-// adds what it may do on the way from the middle, and to the mean: a quarter more along the axis, and a half across. That of a function from
-// the bilinear one of its corners is an eighth of the second ones along both axes.
+// Bounds the deviation of the first derivative F along axis k from its mean M over the two sides of the cell
+// along that axis. The second derivative along the axis is within A of a constant a, and the mixed one within
+// B of a constant b. The constants let F differ from M by at most |a| / 2 + |b| / 2. The remainders add at
+// most A / 2 + B / 2 on the way from the middle of the cell, and A / 4 + B / 2 between the middle and the
+// mean.
 HessianBox::First HessianBox::first(size_t k) const noexcept {
     const auto differs = [&](size_t c) {
         const Range &along = k == 0 ? of_[c].uu : of_[c].vv, &across = of_[c].uv;
@@ -232,6 +235,8 @@ HessianBox::First HessianBox::first(size_t k) const noexcept {
     return result;
 }
 
+// A function differs from the bilinear interpolant of its corners by at most an eighth of the largest second
+// derivatives along both axes.
 double HessianBox::reach() const noexcept {
     if (by_coefficients_) {
         return coefficient_reach_;
@@ -244,7 +249,8 @@ double HessianBox::reach() const noexcept {
     return reach_ + std::sqrt(squares);
 }
 
-// S' = (A' - S w') / w about the origin, with a middle of the one and the rest for what is left.
+// About the origin, S' = (A' - S w') / w. The middles of A' are added up as vectors; the bounds on all the
+// rest are added to the length.
 double HessianBox::move(double u, double v) const noexcept {
     const double w = least_weight_, far = reach();
     const std::array<First, 2> both{first(0), first(1)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the second derivatives of a surface can be over a cell of its domain.
+// Bounds on the second derivatives of a surface over a cell of its domain.
 #pragma once
 
 #include "base/numbers.h"
@@ -10,35 +10,35 @@
 
 namespace nrb::mesh {
 
-// Of a right angle; numbers here have sizes near 1, since everything is in the units of a grid of pieces.
+// The hypotenuse. Its squares need no scaling: in the units of a grid of pieces all sizes are near 1.
 inline double diagonal(double a, double b) noexcept {
     return std::sqrt(a * a + b * b);
 }
 
-// A function over a cell: middle + u x + v y, give or take the radius, where x and y go from -1/2 to 1/2.
+// The range of a function over a cell: middle + u x + v y within the radius, for x and y from -1/2 to 1/2.
 struct Range {
     double middle = 0, u = 0, v = 0, radius = 0;
 
     [[nodiscard]] double at(double x, double y) const noexcept { return middle + u * x + v * y; }
-    [[nodiscard]] double width() const noexcept {
-        return (std::abs(u) + std::abs(v)) / 2 + radius;
-    } // half of it
+    // Half the length of the interval of all values.
+    [[nodiscard]] double width() const noexcept { return (std::abs(u) + std::abs(v)) / 2 + radius; }
     [[nodiscard]] double most() const noexcept { return std::abs(middle) + width(); }
 };
 
-// Of a function of two parameters.
+// The ranges of the second derivatives of a function of two parameters.
 struct Hessian {
     Range uu, uv, vv;
 
-    // H(u, v) at a place, but for the radii, and the most that these add to it.
+    // The second derivative along (u, v) at a place, without the radii, and the most that these add to it.
     [[nodiscard]] double along(double u, double v, double x = 0, double y = 0) const noexcept {
         return uu.at(x, y) * u * u + 2 * uv.at(x, y) * u * v + vv.at(x, y) * v * v;
     }
     [[nodiscard]] double beside(double u, double v) const noexcept {
         return uu.radius * u * u + 2 * uv.radius * std::abs(u * v) + vv.radius * v * v;
     }
-    // The same anywhere in the cell, as radii about constants; that of two cells; by parameters in other units: those of the new ones
-    // in the old.
+    // anywhere(): the same ranges as constants with larger radii. add(): extends the ranges by those over
+    // another cell; both have to be constants. in_units(): the second derivatives by parameters in other
+    // units, where u and v are the new units measured in the old ones.
     [[nodiscard]] Hessian anywhere() const noexcept;
     void add(const Hessian &constants) noexcept;
     [[nodiscard]] Hessian in_units(double u, double v) const noexcept;
@@ -46,8 +46,10 @@ struct Hessian {
 
 struct CoefficientNet;
 
-// The homogeneous coordinates (A - w O, w) of a surface A / w about an origin O, in axes of the cell, along which they differ most in size:
-// the middle of the cell is nearly plane, and lies across the last one. Parameters are measured by the sides of the cell.
+// Bounds the second derivatives of the homogeneous coordinates (A - w O, w) of a surface A / w over a cell,
+// about an origin O. The coordinates are along axes of the cell, of which the last one is normal to its
+// middle: since the cell is nearly plane, the sizes of the coordinates differ most in these axes. Parameters
+// are measured in sides of the cell.
 class HessianBox {
 public:
     static constexpr size_t coordinates = 4;
@@ -61,33 +63,35 @@ public:
     [[nodiscard]] const std::array<Vector3, 3> &axes() const noexcept { return axes_; }
     [[nodiscard]] double least_weight() const noexcept { return least_weight_; }
     [[nodiscard]] double largest_weight() const noexcept { return largest_weight_; }
-    // Whether weights are positive for certain.
+    // Whether the weights are certainly positive.
     [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
 
-    // The most that the surface moves by on a step of (u, v) sides of the cell in it.
+    // An upper bound on how far the surface moves on a step of (u, v) sides within the cell.
     [[nodiscard]] double move(double u, double v) const noexcept;
 
-    // About how long a side of the cell is.
+    // The approximate length in space of a side along axis k.
     [[nodiscard]] double speed(size_t k) const noexcept {
         const auto &x = first_[k];
         return std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / corner_weight_;
     }
 
-    // A net [u][v] of (x, y, z, w) over a part of the cell, whose sides are those of the cell over these factors, all of it if they are
-    // 1. `noise`: of a coefficient, relative to the largest weight. `steps`: whether move() is to be as small as can be told.
+    // Adds a net [u][v] of (x, y, z, w) over a part of the cell. factors: the sides of the cell divided by
+    // those of the part; 1 and 1 for the whole cell. noise: the error of a coefficient, relative to the
+    // largest weight. steps: whether move() has to be as tight as possible.
     void add(int u_degree, int v_degree, const double *net, const std::array<double, 2> &factors,
              double noise, bool steps = true);
 
-    // Of the function d . (A - w P), for vectors d no longer than 1.
+    // The second derivatives of d . (A - w P), for vectors d of length at most 1.
     [[nodiscard]] Hessian along(const Vector3 &d, const Vector3 &p) const noexcept;
-    // Bounds of the size of A - w P, and of the sizes of A - w Q for all points Q in a distance from P: radii about 0.
+    // Bounds on the lengths of the second derivatives of A - w P, and of A - w Q for all points Q within a
+    // distance of P, as radii about 0.
     [[nodiscard]] Hessian size(const Vector3 &p) const noexcept;
     [[nodiscard]] Hessian sizes(const Vector3 &p, double distance) const noexcept;
-    // Of coordinate c in the axes of the cell, about its origin.
+    // Of homogeneous coordinate c, in the axes of the cell and about its origin.
     [[nodiscard]] const Hessian &of(size_t c) const noexcept { return of_[c]; }
 
 private:
-    // Of first derivatives: the middle of A' and what there is about it, and the most of w'.
+    // A first derivative: A' (about the origin) is within `radius` of `middle`, and |w'| is at most `weight`.
     struct First {
         std::array<double, 3> middle{};
         double radius = 0, weight = 0;
@@ -99,20 +103,21 @@ private:
     void set_sizes() noexcept;
     void add_first(const std::array<CoefficientNet, 2> &first, const std::array<double, 2> &factors) noexcept;
     void add_reach(const CoefficientNet &net) noexcept;
-    // The most of |A - w O|.
+    // An upper bound on |A - w O|.
     [[nodiscard]] double reach() const noexcept;
 
     Vector3 origin_;
     std::array<Vector3, 3> axes_{};
     std::array<Hessian, coordinates> of_{};
-    // Of each of the second derivatives the most of all coordinates together, of |A - w O|, and of w.
+    // Bounds on each of the second derivatives: of all coordinates added up, of |A - w O|, and of w.
     std::array<double, 3> sums_{}, sizes_{}, weights_{};
     double least_weight_ = infinity, largest_weight_ = -infinity;
-    std::array<std::array<double, coordinates>, 2> first_{}; // means of first derivatives, by the corners
-    double corner_weight_ = 1;                               // the mean
-    double reach_ = 0;                                       // the most of |A - w O| in the corners
-    double noise_ = 0;                                       // of a coefficient
-    // Where second derivatives tell little of first ones: by coefficients of these, what they differ by from the means.
+    std::array<std::array<double, coordinates>, 2> first_{}; // mean first derivatives, from the corners
+    double corner_weight_ = 1;                               // the mean of the corners
+    double reach_ = 0;                                       // the largest |A - w O| at the corners
+    double noise_ = 0;                                       // error of a coefficient
+    // Where second derivatives say little about first ones: bounds from Bernstein coefficients on their
+    // deviations from the means, on |w'|, and on |A - w O|.
     bool by_coefficients_ = false;
     std::array<double, 2> first_radius_{}, first_weight_{};
     double coefficient_reach_ = 0;

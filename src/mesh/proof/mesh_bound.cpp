@@ -8,12 +8,15 @@ namespace nrb::mesh {
 
 namespace {
 
-// Chords of 57 and of 29 degrees.
+// Chords of 57 and 29 degrees.
 constexpr double most_turned = 0.95, most_turned_by_sides = 0.5;
-// Sines of angles are told of directions of view that are no farther off; and a little is left for rounding.
+// TriangleBound::sines are for directions of view up to 30 degrees off the normal; the rest is room for
+// rounding.
 constexpr double share_of_sines = 0.99;
-constexpr double share_of_half_right = 0.94; // for what comes out within 45 degrees
-// Of two angles at a corner: with 45 degrees more they are less than all around it, as seen along the normal of the first one.
+constexpr double share_of_half_right = 0.94; // for images that come out within 45 degrees
+// Of the angles of two triangles at a common corner: if the first is less than most_own, or the second less
+// than most_other, both and 45 degrees add up to less than 360 degrees, as seen along the normal of the
+// first.
 constexpr double most_own = 2.35, most_other = 1.83;
 constexpr double more = 1 + 64 * eps;
 
@@ -70,7 +73,7 @@ void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const n
     }
 }
 
-// Chords of angles add up to at least the chord of their sum.
+// The chords of two angles add up to at least the chord of their sum.
 MeshBound::Around MeshBound::around(size_t triangle) const noexcept {
     Around all;
     for (size_t k = 0; k < 3; ++k) {
@@ -86,7 +89,7 @@ MeshBound::Around MeshBound::around(size_t triangle) const noexcept {
     return all;
 }
 
-// Looks at the fewer of those around its ends: at a pole there are many.
+// Searches the smaller of the fans at the two ends: at a pole a fan may be large.
 MeshBound::Neighbour MeshBound::across(size_t triangle, size_t side) const noexcept {
     const int32_t from = triangles_[triangle].points[(side + 1) % 3],
                   to = triangles_[triangle].points[(side + 2) % 3];
@@ -102,16 +105,18 @@ MeshBound::Neighbour MeshBound::across(size_t triangle, size_t side) const noexc
     return {};
 }
 
-// Whether, at the ends of a side, the surface over the triangle comes out within the angles of the triangle across, and images of the other
-// sides of that are within them.
+// Whether, at the ends of a side, the surface over the triangle comes out within the angles of the triangle
+// across, and the images of the other sides of the latter come inside within them. Factors of the cosine
+// allow for foreshortening.
 bool MeshBound::is_beside(size_t triangle, size_t side, const Neighbour &next) const noexcept {
     const TriangleBound &own = bounds_[triangle], &other = bounds_[static_cast<size_t>(next.triangle)];
     const double cosine = dot(own.normal, other.normal) - 8 * eps;
     bool result = length(own.normal - other.normal) + 8 * eps < most_turned_by_sides;
-    for (const size_t end : {size_t{1}, size_t{2}}) { // they run along the side in opposite directions
+    for (const size_t end : {size_t{1}, size_t{2}}) { // the two run along the side in opposite directions
         const size_t k = (side + end) % 3, j = (next.side + 3 - end) % 3;
         const double most = share_of_sines * cosine * cosine * other.sines[j];
-        // Of corner k, side k + 1 comes first and side k + 2 second: the common one in the first triangle, the other one in the second.
+        // At corner k, side k + 1 comes first and side k + 2 second. Number 2 - end is the common side in the
+        // first triangle, and the other side at that corner in the second one.
         result = result && own.turns[k][2 - end] < most && other.leans[j][2 - end] < most &&
                  other.turns[j][2 - end] < share_of_half_right * cosine &&
                  (own.angles[k] < most_own || other.angles[j] < most_other);
@@ -138,7 +143,10 @@ Distances MeshBound::over_border(size_t triangle, size_t side) const noexcept {
     return {along ? diagonal(own.height, own.outs[side]) : infinity, own.sides[side]};
 }
 
-// tan a <= 1.02 c / (1 - c^2 / 2) for a chord c.
+// For the chord c of the angle a, cos a = 1 - c^2 / 2 and sin a <= c, so that tan a <= c / cos a. Let x be a
+// point over a point p of T that belongs to another triangle U of the star, at height h' above U and out of
+// it by r'. The line through x along n meets the plane of U at most h' / cos a from x and at most
+// r' + h' tan a from U. From there to p, the plane of U and the star diverge with a slope of at most 2 tan a.
 Distances MeshBound::by_star(size_t triangle, const Around &around) const noexcept {
     const double cosine = 1 - around.turned * around.turned / 2;
     const double slope = around.turned / cosine, parting = 2.1 * around.turned / (cosine * cosine);
@@ -176,7 +184,7 @@ double MeshBound::edge_about(size_t triangle, double from_mesh) const noexcept {
     return result;
 }
 
-// By the star first, which takes the least time.
+// The star comes first, since it takes the least time.
 Distances MeshBound::distances(size_t triangle, double enough) const {
     const TriangleBound &own = bounds_[triangle];
     Distances best{own.from_shape(), own.from_mesh()};

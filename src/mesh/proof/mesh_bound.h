@@ -1,33 +1,42 @@
 // SPDX-License-Identifier: MIT
-// How far all triangles together are from a surface, both ways.
+// Bounds the distance between a surface and a mesh, triangle by triangle and in both directions, with the
+// help of neighbouring triangles.
 //
-// A triangle T with normal n may have others all around it, those that share a corner with it: its star. Everything is seen along n.
+// A triangle T with normal n may have neighbours all around it: the triangles that share a corner with it
+// form its star. S(T) is the part of the surface that T stands for. Everything is seen along n: a point is
+// over a triangle if its projection along n is in that of the triangle.
 //
-// By the star. Let no triangle of it be turned against n by more than a < 60 degrees, so that the star lies over the plane, and let m
-// be the least altitude of its triangles.
-// It must not cover the plane more than once: around a corner angles add up to less than 3 pi, and none of its sides is the border of the
-// mesh.
-// - The function that is 1 in the corners of T, 0 in all others and linear on each triangle has a gradient of at most 1 / m, so that
-//   every way out of the star from T is at least m cos a long.
-// - Thus a point x of the surface over T, of the height h, which comes out by r, is over the star, the planes of which are at most r tan a
-//   away from that of T there: the distance is at most h + r tan a.
-// - The image of the border of the star is less than m cos a away from that border, so that it winds around each point p of T as that does:
-//   some point x of the surface over the star is over p.
+// By the star. Let the normals of its triangles be within an angle a < 60 degrees of n, so that the star lies
+// over the plane, and let m be the least altitude of its triangles. The star must not cover the plane more
+// than once: around each corner of T the angles add up to less than 3 pi, and no side at the corner is on the
+// border of the mesh.
+// - Consider the function that is 1 at the corners of T, 0 at all other corners, and linear on each triangle.
+//   Its gradient is at most 1 / m, so every path from T out of the star has a length of at least m cos a.
+// - So a point x of S(T), at height h above the plane of T and out of T by r, is over the star if
+//   r < m cos a. There the star is at most r tan a away from the plane of T, so the distance of x is at most
+//   h + r tan a.
+// - If the image of the border of the star is less than m cos a away from that border, it winds around each
+//   point p of T as the border does. Hence some point of the surface that belongs to the star is over p.
 //
-// By the sides. Let T'' be the triangles across the sides of T, turned against n by no more than 29 degrees. For each of them, let the
-// following angles at both ends P of the side be less than that of T'' there: the one within which the surface over T comes out (turns
-// of triangle_bound.h), and the one within which the image of the other side of T'' at P comes inside (leans); it comes out within 45 degrees.
-// - A point x of the surface over T that comes out over a side is within the angles of T'' at both ends of it, and so over T'': with
-//   the height h of x and the angle b of the planes, the distance is at most h + r tan b.
-// - Seen from P, the images of the other sides of T'' are not over T, so that the image of the border of all four triangles winds around
-//   each point p of T as that border does, once: some point x of the surface over them is over p. It belongs to T, or to a T'', and then, in
-//   the plane across the common side, it is h' over T'' and r' over the side: turned by b its height over T is at most h' cos b + r' sin b, or
-//   h' / cos b.
-// - Where a side of T is the border of the mesh, x may come out over it, and its image may come inside by as much as it is beside the
-//   side: where it passes a point p on the straight way from the side, it is no farther from p.
-// - Where x is outside of the face, between a side of T at the border and its curve, that is near p (edge of triangle_bound.h). Where it is over T'',
-//   the curve is as near to the foot of x on the plane of that, from which p is r' sin b away across the plane, and its distance from x times
-//   sin b along it; and r' is at most the distance of x from the side of T'' at the border.
+// By the sides. Let U be a triangle across a side of T, with its normal within 29 degrees of n. At both ends
+// P of the side, let two angles be less than the angle of U: the one within which S(T) comes out over the
+// side (`turns` of triangle_bound.h), and the one within which the image of the other side of U at P comes
+// inside (`leans`). Let that image come out of U within 45 degrees only.
+// - A point x of S(T) that comes out over a side is within the angles of U at both ends of it, and so over U.
+//   Let h be its height above the plane of T, r its distance from the side in that plane, and b the angle
+//   between the planes: then the distance of x is at most h + r tan b.
+// - As seen from P, the images of the other sides of U are not over T. So the image of the border of T and
+//   all its U together winds around each point p of T as that border does: once. Hence some point x of their
+//   surface is over p. If it belongs to an S(U), consider a plane perpendicular to the common side. There x
+//   is at the height h' above U, and may be beyond the side by r'. Turned by b, its height above T is at most
+//   h' cos b + r' sin b, or h' / cos b if its foot is not beyond the side.
+// - Where a side of T is on the border of the mesh, S(T) may come out over it, and the image of the side may
+//   come inside. Let the side move to its image along straight lines: where it passes a point p of T, the
+//   image is no farther from p than it is from the side.
+// - The point x over p may be outside of the face, between a border side and its curve. If that is a side of
+//   T, the curve is near p (`edge` of triangle_bound.h). If x belongs to an S(U), the curve is as near to the
+//   foot of x on the plane of U. From that foot p is at most r' sin b away across the plane and |px| sin b
+//   along it, and r' is at most the distance of x from the border side of U.
 #pragma once
 
 #include "mesh/proof/point_fans.h"
@@ -39,7 +48,8 @@
 
 namespace nrb::mesh {
 
-// Distances of one triangle.
+// Of one triangle T. from_shape: how far the part of the surface that T stands for is from the mesh;
+// from_mesh: how far T is from the surface.
 struct Distances {
     double from_shape = 0, from_mesh = 0;
 
@@ -48,25 +58,26 @@ struct Distances {
 
 class MeshBound {
 public:
-    // Each triangle has its bound; wanted: those of which the distances are going to be asked for.
+    // bounds: those of all triangles. wanted: the triangles whose distances will be asked for.
     MeshBound(size_t points, std::span<const MeshTriangle> triangles, std::span<const TriangleBound> bounds,
               std::span<const int32_t> wanted);
 
-    // Of a wanted one, for all of the surface over the triangles, wherever the face ends. What is not more than `enough` is not looked at more
-    // closely.
+    // The distances of a wanted triangle. They are for all of the surface over the triangles, regardless of
+    // where the face ends. Bounds of at most `enough` are not improved any further.
     [[nodiscard]] Distances distances(size_t triangle, double enough) const;
-    // How far places of a wanted triangle may be from the face where it ends before what they are near, of which they are so far.
+    // Bounds the distance of points of a wanted triangle from the face where the points of the surface near
+    // them lie beyond its border. from_mesh: their distance from those points.
     [[nodiscard]] double edge_about(size_t triangle, double from_mesh) const noexcept;
 
 private:
-    // The most of the triangles around.
+    // The worst values of the triangles around a point.
     struct Point {
-        Vector3 normal{}; // the sum, and then the mean
-        double angle = 0; // the sum of those around it
+        Vector3 normal{}; // the sum of all normals, and then its direction
+        double angle = 0; // the sum of the angles around it
         bool on_border = false;
-        double turned = 0; // from the mean, as a chord of the unit sphere
+        double turned = 0; // of a normal from the mean, as a chord of the unit sphere
         double altitude = infinity, height = 0, out = 0, beside = 0;
-        double border = 0; // how far the border is from its sides
+        double border = 0; // distance of the images of border sides from these
     };
     void set_point(int32_t number);
     void add_corner(size_t triangle, size_t corner, Point &point) const noexcept;

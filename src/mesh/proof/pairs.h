@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far a quadratic function is from its linear interpolant on a triangle.
+// Bounds the error of linear interpolation over a triangle by second derivatives. The l_i are barycentric
+// coordinates.
 #pragma once
 
 #include "base/numbers.h"
@@ -13,8 +14,9 @@ namespace nrb::mesh {
 
 using Values = std::array<double, 3>;
 
-// The most of l_0 l_1 q[2] + l_1 l_2 q[0] + l_2 l_0 q[1] over l_i >= 0 with the sum 1: in the middle of a side, or at the centre of
-// the circle about a triangle with sides of the squares q, where that is inside.
+// The maximum of l_0 l_1 q[2] + l_1 l_2 q[0] + l_2 l_0 q[1] over l_i >= 0 with sum 1. If the q[k] are the
+// squared sides of an acute triangle, it is the squared circumradius, taken at the circumcentre; otherwise it
+// is taken at the midpoint of a side, or it is 0.
 inline double most_of_pairs(const Values &q) noexcept {
     const double a = q[0], b = q[1], c = q[2];
     const double side = std::max({a, b, c, 0.0}) / 4;
@@ -24,15 +26,19 @@ inline double most_of_pairs(const Values &q) noexcept {
                   : side;
 }
 
-// How far a function N of a triangle can be from its linear interpolant, if its Hessian H is an affine function to within a radius. Side k is
-// opposite of corner k. With means m_k of H along side k in its two ends, and d_k a twelfth of their difference,
+// The error of the linear interpolant of a function N over a triangle. The Hessian H of N is given as an
+// affine function within a radius. Side k is opposite corner k. Let m_k be the mean of the second derivatives
+// of N along side k at its two ends, and d_k a twelfth of their difference. Without the radius,
 //
-//     interpolant - N = 1/2 sum l_i l_j m_k + sum l_i l_j (l_i - l_j) d_k + l_0 l_1 l_2 g
+//     interpolant - N = 1/2 sum l_i l_j m_k + sum l_i l_j (l_i - l_j) d_k + l_0 l_1 l_2 g,
 //
-// (Taylor's formula with the remainder as an integral; g is 0 if H is constant). The sum of all |l_i l_j (l_i - l_j)| is at most 0.118, on a side 0.0963.
+// where the sums run over the sides k with their ends i and j (Taylor's formula with the integral remainder),
+// and g = 0 if H is constant. The sum of the |l_i l_j (l_i - l_j)| is at most 0.118 on the triangle and
+// 0.0963 on a side.
 class Bend {
 public:
-    // q[m][k]: H along side k in corner m; rest[k]: what the radius adds along side k, rest[3]: on the whole triangle.
+    // q[m][k]: the second derivative along side k at corner m. rest[k]: the radius of the second derivative
+    // along side k; rest[3]: along any segment in the triangle.
     Bend(const std::array<Four, 3> &q, const Four &rest) noexcept
         : rest_(rest), largest_(greatest(abs(q[0]), greatest(abs(q[1]), abs(q[2]))) + rest),
           least_(greatest(q[0] * -1, greatest(q[1] * -1, q[2] * -1)) + rest),
@@ -45,12 +51,16 @@ public:
                rest[3] / 8;
     }
 
+    // An upper bound on N - interpolant.
     [[nodiscard]] double above() const noexcept {
         return most_of_pairs({-means_[0], -means_[1], -means_[2]}) / 2 + all_;
     }
-    // The most of N if it is at most 0 in the ends of side k and -below in corner k. All terms with l_k but one of the side are at most l_k
-    // times what `below` is to outweigh; the radius adds at most l_i l_j (1 + l_k) / (1 - l_k) / 2 times that of the side, along which
-    // l_i l_j <= (1 - l_k)^2 / 4, as one sees on the line from corner k through the point.
+    // An upper bound on N if N is at most 0 at the ends of side k and at most -below at corner k. All terms
+    // but those of side k add up to at most l_k times `lifts`, so that -l_k below outweighs them if
+    // lifts <= below. For the radii r = rest_: along the segment from corner k through the point to side k,
+    // the second derivative has a radius of at most max(r_i, r_j) + r_k l_i l_j / (1 - l_k)^2. Altogether the
+    // radii contribute at most r_k l_i l_j (1 + l_k) / (1 - l_k) / 2 + max(r_i, r_j) l_k / 2; the first term
+    // is at most r_k / 8, since l_i l_j <= (1 - l_k)^2 / 4.
     [[nodiscard]] double above(size_t k, double below) const noexcept {
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         const double lifts = std::max({-means_[i], -means_[j], 0.0}) / 2 +
@@ -60,6 +70,7 @@ public:
                    ? std::max(-means_[k], 0.0) / 8 + rest_[k] / 8 + 0.0963 * differences_[k]
                    : above();
     }
+    // Upper bounds on |N - interpolant|: on the triangle, and on side k.
     [[nodiscard]] double both() const noexcept {
         return std::max(most_of_pairs({means_[0], means_[1], means_[2]}) / 2 + all_, above());
     }
@@ -67,15 +78,16 @@ public:
         return (std::abs(means_[k]) + rest_[k]) / 8 + 0.0963 * differences_[k];
     }
 
-    // The most of the second derivative along side k, on the whole triangle.
+    // An upper bound on the magnitude of the second derivative along side k, anywhere in the triangle.
     [[nodiscard]] double largest(size_t k) const noexcept { return largest_[k]; }
-    // The same by its sign, and at least 0: N is above its interpolant by no more than the sum of l_i l_j / 2 times where it falls, and below
-    // by where it rises. S. Waldron: The error in linear interpolation at the vertices of a simplex, SIAM J. Numer. Anal. 35, 1998.
+    // The same by sign, and at least 0: of -N'' and of N''. N exceeds its interpolant by at most
+    // 1/2 sum l_i l_j falling(k), and lies below it by at most 1/2 sum l_i l_j rising(k). S. Waldron: The
+    // error in linear interpolation at the vertices of a simplex, SIAM J. Numer. Anal. 35, 1998.
     [[nodiscard]] double falling(size_t k) const noexcept { return std::max(least_[k], 0.0); }
     [[nodiscard]] double rising(size_t k) const noexcept { return std::max(most_[k], 0.0); }
 
 private:
-    Four rest_, largest_, least_, most_, means_, differences_; // of sides
+    Four rest_, largest_, least_, most_, means_, differences_; // by side
     double product_, all_;
 };
 

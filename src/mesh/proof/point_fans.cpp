@@ -6,7 +6,7 @@ namespace nrb::mesh {
 PointFans::PointFans(size_t points, std::span<const MeshTriangle> triangles, std::span<const int32_t> wanted)
     : first_(points + 1) {
     constexpr int32_t unwanted = -1;
-    std::vector<int32_t> next(points, unwanted); // how many, then where they go on
+    std::vector<int32_t> next(points, unwanted); // number of triangles, then where the next one goes
     for (const int32_t triangle : wanted) {
         for (const int32_t point : triangles[static_cast<size_t>(triangle)].points) {
             next[static_cast<size_t>(point)] = 0;

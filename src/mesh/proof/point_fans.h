@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangles around points.
+// The fans of triangles around the points of a mesh.
 #pragma once
 
 #include <array>
@@ -9,7 +9,8 @@
 
 namespace nrb::mesh {
 
-// By its points; without any it is no triangle. border[k]: side k, opposite of corner k, is at the border of the mesh.
+// A triangle by its points; where these are -1 there is none. border[k]: side k, opposite corner k, is on the
+// border of the mesh.
 struct MeshTriangle {
     std::array<int32_t, 3> points{-1, -1, -1};
     std::array<bool, 3> border{};
@@ -19,10 +20,11 @@ struct MeshTriangle {
 
 class PointFans {
 public:
-    // Of the corners of the wanted ones of the triangles.
+    // The fans around all corners of the wanted triangles.
     PointFans(size_t points, std::span<const MeshTriangle> triangles, std::span<const int32_t> wanted);
 
-    // Rising; a triangle is there as often as it has corners at the point. None around points that are not wanted.
+    // Ascending. A triangle occurs once for each corner that it has at the point. Empty at points that are
+    // not corners of wanted triangles.
     [[nodiscard]] std::span<const int32_t> of(int32_t point) const noexcept {
         const auto at = static_cast<size_t>(point);
         return std::span(triangles_)

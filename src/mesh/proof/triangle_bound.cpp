@@ -11,14 +11,16 @@ namespace nrb::mesh {
 
 namespace {
 
-// Relative, of all that is summed up here.
+// Covers the relative rounding errors of all sums here.
 constexpr double rounding = 1 + 64 * eps;
 
+// Side k, opposite corner k, leads from corner k + 1 to corner k + 2. Second derivatives along side k are in
+// lane k of a Four; lane 3 holds a bound on those along any segment in the triangle.
 class Triangle {
 public:
     Triangle(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells) noexcept
         : corners_(corners), cells_(cells), unit_(cells.front().part.sides()) {
-        std::array<std::array<double, 4>, 2> steps{}; // lane 3: the most
+        std::array<std::array<double, 4>, 2> steps{}; // lane 3: the largest
         for (size_t k = 0; k < 3; ++k) {
             const TriangleCorner &from = corner(k + 1), &to = corner(k + 2);
             sides_[k] = to.point - from.point;
@@ -58,7 +60,7 @@ private:
     [[nodiscard]] const TriangleCorner &corner(size_t k) const noexcept { return corners_[k % 3]; }
     template <class Of>
     [[nodiscard]] Hessian over_cells(Of &&of) const noexcept;
-    // What the radii make of second derivatives along the sides, and along any way in the triangle.
+    // What the radii contribute to second derivatives along the sides, and along any segment in the triangle.
     [[nodiscard]] Four beside(const Hessian &h) const noexcept {
         return (uu_ * h.uu.radius + abs(uv_) * h.uv.radius + vv_ * h.vv.radius) * rounding;
     }
@@ -71,10 +73,12 @@ private:
     [[nodiscard]] double off(const Vector3 &normal) const noexcept;
     [[nodiscard]] double angle_at(size_t k) const noexcept;
     [[nodiscard]] double sine(size_t k, double area) const noexcept;
-    // What comes out over a side, and by what share of the way to the other corner.
+    // The surface near the end P of a side PE, with barycentric coordinates l and distances times w (see
+    // turning()): it comes out over the side by at most l_E out, and only where l_K <= share l_E for the
+    // third corner K.
     struct Turning {
-        double out, share, high;
-        double in; // how far the image of the side comes inside, with heights
+        double out, share, high; // l_E high: what heights add
+        double in;               // l_E in: how far the image of the side comes inside, with heights
     };
     [[nodiscard]] Turning turning(size_t side, const Bend &across, double high, double area) const noexcept;
     [[nodiscard]] double turn(size_t k, size_t side, const Turning &over, const Four &bends) const noexcept;
@@ -86,16 +90,17 @@ private:
     std::span<const CellPart> cells_;
     std::array<double, 2> unit_;
     std::array<Vector3, 3> sides_;
-    std::array<std::array<double, 2>, 3> steps_, places_; // in the first cell
-    Four uu_, uv_, vv_;                                   // of steps; and of the most of them
-    Values lengths_, inverse_, cosines_;                  // of the angles
+    std::array<std::array<double, 2>, 3> steps_, places_; // in units of the first cell, and about its middle
+    Four uu_, uv_, vv_;                                   // of steps; lane 3: of the largest ones
+    Values lengths_, inverse_, cosines_;                  // cosines of the angles
     double longest_ = 0;
     double least_weight_ = infinity, largest_weight_ = 0;
-    // The most of second derivatives along the sides, and along any way, whatever the direction and the corner.
+    // Bounds on the second derivatives of A - w Q for all corners Q, in any direction: along the sides, and
+    // along any segment in the triangle.
     Four bends_;
 };
 
-// Of several cells as constants.
+// Ranges over several cells are joined as constants.
 template <class Of>
 Hessian Triangle::over_cells(Of &&of) const noexcept {
     Hessian all = of(*cells_.front().box);
@@ -118,14 +123,17 @@ Bend Triangle::bend(const Vector3 &d, const Vector3 &p) const noexcept {
     return {{at(0), at(1), at(2)}, beside(h)};
 }
 
-// The whole distance from the point of the triangle at equal parameters, whatever the direction. With N = A - w P and values N_i in the
-// corners it is (N - sum l_i N_i) / w + sum l_i N_i / w_i (w_i / w - 1).
+// The distance of a point of S from the point of the triangle at equal parameters. With the vectors
+// N = A - w P and N_i = N(v_i), and the weights w_i = w(v_i), their difference is
+//
+//     (N - sum l_i N_i) / w + sum l_i (N_i / w_i) (w_i / w - 1).
 double Triangle::equal_parameters() const noexcept {
     return (bends_[3] / 8 / least_weight_ + longest_ * (largest_weight_ / least_weight_ - 1)) * rounding;
 }
 
-// Whether the image of side k, projected on it, does not leave it over its ends. N along the side, from one end on, is at least
-// s w l - s (1 - s) / 2 |N''|, and likewise from the other end.
+// Whether the image of side k, projected onto the line of the side, stays between its ends. At the place s of
+// the side, counted from one end, the component N along the side is at least s w l - s (1 - s) / 2 |N''|,
+// where l is the length of the side and w the weight at its other end; likewise from the other end.
 bool Triangle::runs_along(size_t k) const noexcept {
     const double room = 2 * least_weight_ * lengths_[k] / rounding;
     if (bends_[k] <= room) {
@@ -136,14 +144,19 @@ bool Triangle::runs_along(size_t k) const noexcept {
            bend(along, corner(k + 2).point).largest(k) <= room;
 }
 
-// Points that come out of the triangle no farther than 1 over each side are no farther from it than this: where two sides meet at an
-// angle, the tip of what both allow is 1 / sin of half of it away. If the surface does not pass the corner along the line that halves the angle,
-// the tip is cut off, and what is left is within 1 / cos. With N along that line, outwards, and N <= -t_i w in the other corners,
-// N(x) <= sum l_i (-t_i w + 1/2 (Q_ki + Q_ij)), with the most Q of the second derivative along the sides.
+// Bounds the distance from the triangle of points in its plane that come out by at most 1 over each side. At
+// a corner with angle t, the region that both sides allow ends in a tip 1 / sin (t / 2) away from the corner.
+// If the surface does not pass the corner in the direction of the outward bisector, the tip is cut off, and
+// what is left is within 1 / cos (t / 2).
+// To show that at corner k, let N be the component along the outward bisector. At each of the other corners i
+// it is at most -t_i w, where t_i = cos (t / 2) times the length of the side from corner k to corner i. With
+// Q_ki and Q_ij, the largest second derivatives (of -N) along that side and along the opposite one, N is at
+// most sum l_i (-t_i w + 1/2 (Q_ki + Q_ij)), where the sum is over the other corners i. So N <= 0 if each of
+// its terms is.
 double Triangle::sharpness() const noexcept {
-    double least = 1; // of squares
+    double least = 1; // squared
     for (size_t k = 0; k < 3; ++k) {
-        const double cosine = cosines_[k], half_sine = (1 - cosine - 16 * eps) / 2, // squares
+        const double cosine = cosines_[k], half_sine = (1 - cosine - 16 * eps) / 2, // squared
             half_cosine = (1 + cosine - 16 * eps) / 2;
         const bool cut = half_cosine > half_sine && is_cut(k, half_cosine);
         least = std::min(least, cut ? half_cosine : half_sine);
@@ -165,12 +178,14 @@ bool Triangle::is_cut(size_t k, double half_cosine_squared) const noexcept {
     return fits(outwards.falling(i), outwards.falling(j), outwards.falling(k));
 }
 
-// How far corners are from a plane that is to contain them all.
+// How far the corners are from a plane with this normal that should contain them all.
 double Triangle::off(const Vector3 &normal) const noexcept {
     return std::max(std::abs(dot(normal, sides_[1])), std::abs(dot(normal, sides_[2]))) + 8 * eps * longest_;
 }
 
-// Places over a side, in the domain, are as far from its image as the surface moves on the way there.
+// Bounds the distance of S from a side. Where the opposite corner has its foot on the side, in the domain,
+// every place of T is reached from a place of the side by a step that is no longer than the one from the foot
+// to the corner. The surface is at most as far from the image of the side as it moves on that step.
 double Triangle::from_a_side(const TriangleBound &bound) const noexcept {
     if (cells_.size() > 1) {
         return infinity;
@@ -188,7 +203,8 @@ double Triangle::from_a_side(const TriangleBound &bound) const noexcept {
     return best;
 }
 
-// Of a triangle that is a segment to rounding: how far the surface is from it, across it and beyond its ends.
+// For a triangle that is a segment to rounding: bounds the distance of the surface from the segment, by its
+// distances across it and beyond its ends.
 double Triangle::beside_segment() const noexcept {
     const size_t k = lengths_[0] >= lengths_[1]   ? (lengths_[0] >= lengths_[2] ? 0 : 2)
                      : lengths_[1] >= lengths_[2] ? 1
@@ -204,25 +220,37 @@ double Triangle::beside_segment() const noexcept {
     return lengths_[k] > 0 ? diagonal(beside, beyond + 8 * eps * longest_) * rounding : infinity;
 }
 
-// Not less than the angle, and at most 2e-4 more: formula 4.4.45 of Abramowitz and Stegun, whose error is 6.8e-5, and what rounding of the
-// cosine does to it.
+// An upper bound on the angle, at most 2e-4 too large: formula 4.4.45 of Abramowitz and Stegun has an error
+// of 6.8e-5, to which the rounding of the cosine adds.
 double Triangle::angle_at(size_t k) const noexcept {
     const double cosine = cosines_[k], x = std::min(std::abs(cosine), 1.0);
     const double angle = std::sqrt(1 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
     return (cosine < 0 ? std::numbers::pi - angle : angle) + 1e-4;
 }
 
-// Seen along a direction a off the normal, a cosine of angles changes by sin^2 a at most before sides are shortened.
+// As seen along a direction at an angle a from the normal, the scalar product of unit vectors along two sides
+// changes by at most sin^2 a, before the foreshortening, which does not change its sign.
 double Triangle::sine(size_t k, double area) const noexcept {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     return cosines_[k] < -0.26 ? 1 : area * (inverse_[i] * inverse_[j]) * (1 - 16 * eps);
 }
 
-// About corner P of side PE, with the third corner K of weight l_K, N = d . (A - w P) for d across the side is at most
-// l_P l_E q / 2 - l_K (w a - r / 2), with the altitude a of K, the most q of |N''| along the side and r of that along the others. Seen along
-// a direction off the normal, heights h, of which half may count, come on top, at most (1 + p) l_E h / 2. So l_K <= p l_E where that is out,
-// for p = (q / 2 + h / 2) / (w a - r / 2 - h / 2), and there N <= l_E q / 2. Along the side the distance from P is at least
-// l_E (w |PE| - |V''| / 2) less what l_K moves, and heights h, of which half may count, are at most (1 + p) l_E h / 2.
+// Consider a side PE with the third corner K, and barycentric coordinates l. For the direction d in the
+// plane, across the side and outwards,
+//
+//     N = d . (A - w P) <= l_P l_E q / 2 - l_K (w a - r / 2),
+//
+// where a is the altitude of K, and q and r are the largest values of -N'' along the side and along the other
+// two. As seen along a direction up to 30 degrees off the normal, heights above the plane come on top, half
+// of them at most. Times w, the height is at most (l_E + l_K) h, where h is half the largest second
+// derivative of w times the height along the sides. So the surface comes out only where l_K <= p l_E, with
+//
+//     p = (q / 2 + h / 2) / (w a - r / 2 - h / 2);
+//
+// there N <= l_E q / 2, and the heights add at most (1 + p) l_E h / 2. Below, `high` is h / 2 and
+// `share` is p.
+// Along the side, with V = A - w P, the distance from P is at least l_E (w |PE| - |V''| / 2), less what K
+// contributes with l_K <= p l_E, and less (1 + p) l_E h / 2 for the heights: see turn().
 Triangle::Turning Triangle::turning(size_t side, const Bend &across, double high,
                                     double area) const noexcept {
     const double out = across.falling(side) / 2;
@@ -242,7 +270,7 @@ double Triangle::turn(size_t k, size_t side, const Turning &over, const Four &be
                : infinity;
 }
 
-// Those of V about the corner only where others are not enough.
+// Bounds on V'' with P at the corner itself are computed only where those for all corners do not suffice.
 void Triangle::set_turns(const std::array<Turning, 3> &over, TriangleBound &result) const noexcept {
     for (size_t k = 0; k < 3; ++k) {
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
@@ -258,7 +286,7 @@ void Triangle::set_turns(const std::array<Turning, 3> &over, TriangleBound &resu
     }
 }
 
-// The same on the side, where l_K is 0.
+// The same for the image of the side itself, on which l_K = 0.
 double Triangle::lean(size_t side, const Turning &over, const Four &bends) const noexcept {
     const double along = least_weight_ * lengths_[side] - bends[side] / 2 - over.in;
     return along > 0 ? over.in / along * rounding : infinity;
@@ -271,7 +299,7 @@ Four Triangle::bends_about(size_t k) const noexcept {
 TriangleBound Triangle::bound() const noexcept {
     const Vector3 product = cross(sides_[0], sides_[1]);
     const double area = length(product);
-    if (!(area > 1e-12 * longest_ * longest_)) { // no plane to speak of
+    if (!(area > 1e-12 * longest_ * longest_)) { // no well-defined plane
         const double whole = std::min(equal_parameters(), beside_segment());
         TriangleBound result;
         result.height = result.beside = result.whole = whole;
@@ -313,9 +341,9 @@ TriangleBound Triangle::bound() const noexcept {
     if (result.out > result.height) {
         result.out = std::min(result.out, equal_parameters());
     }
-    const bool needle = result.altitude < diagonal(result.height, result.out); // else sides are farther away
+    const bool needle = result.altitude < diagonal(result.height, result.out); // else no side is near enough
     result.whole = needle ? from_a_side(result) : infinity;
-    result.height = std::min(result.height, result.whole); // sides are in the plane
+    result.height = std::min(result.height, result.whole); // the sides are in the plane
     result.out = std::min(result.out, result.whole);
     for (double &out : result.outs) {
         out = std::min(out * rounding, result.out);

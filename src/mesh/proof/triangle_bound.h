@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
-// How far a triangle is from the part of a surface that it stands for, both ways.
+// Bounds the distance between a triangle and the part of a surface that it stands for, in both directions.
 //
-// Let T be a triangle of the domain with the corners v_i, and P_i = S(v_i) those of the triangle in space. For a direction d
-// the function N = d . (A - w P) of the surface S = A / w, with P one of the corners, is polynomial piece by piece, and continuous
-// with its first derivatives, so that its second ones bound how far it is from its linear interpolant (pairs.h).
-// - d normal to the triangle: N is 0 in the corners, so this bounds the heights of S over its plane.
-// - d in the plane, across a side and out of the triangle: N is <= 0 in the corners, so it bounds how far S comes out over the
-//   side.
-// Both together bound how far points of S are from the triangle. The other way round, the image of each side of T is near the side
-// of the triangle, so that, projected on the plane, it is a curve around each point of the triangle but for those it comes
-// nearer to; S over T is a surface in that curve, which passes over all of them (degree of a map of the disc).
+// Let T be a triangle of the domain with corners v_i, and P_i = S(v_i) the corners of the triangle in space.
+// For a direction d, and one of the corners P, consider the function N = d . (A - w P) of the surface
+// S = A / w: N / w is the component of S - P along d. N is piecewise polynomial with continuous first
+// derivatives, so its second derivatives bound its distance from its linear interpolant (pairs.h).
+// - d normal to the triangle: N is 0 at the corners, so this bounds the height of S above the plane.
+// - d in the plane, normal to a side and pointing out of the triangle: N is <= 0 at the corners, so this
+//   bounds how far S comes out over the side.
+// Both together bound the distance of points of S from the triangle.
 //
-// Where a triangle has others all around, the surface may come out over its sides as long as it stays over these (mesh_bound.h).
+// The other direction: the image of each side of T is near the side of the triangle. Projected onto the
+// plane, the images form a closed curve. It winds once around each point of the triangle, unless it passes
+// that point within the distance of the images from the sides. S over T is a disc that spans this curve, so
+// it passes over all points around which the curve winds (degree of a map of the disc).
+//
+// Where a triangle has neighbours all around, the surface may come out over its sides as long as it stays
+// over the neighbours (mesh_bound.h).
 #pragma once
 
 #include "mesh/proof/hessian_box.h"
@@ -22,7 +27,7 @@
 
 namespace nrb::mesh {
 
-// Part of the domain.
+// A rectangle of the domain.
 struct Rectangle {
     std::array<double, 2> lower{}, upper{};
 
@@ -45,45 +50,50 @@ struct CellPart {
     Rectangle part;
 };
 
+// Upper bounds for a triangle and its part of the surface. The image of a side is the curve on the surface
+// that belongs to the side of the triangle of the domain. Side k is opposite corner k.
 struct TriangleBound {
-    double height = 0;             // of the surface over the plane
+    double height = 0;             // of the surface above the plane
     double out = 0;                // how far, in the plane, the surface comes out of the triangle
-    double beside = 0;             // how far from the sides their images are
-    std::array<double, 3> sides{}; // from each of them
-    std::array<double, 3> outs{};  // how far the surface comes out over each side, in the plane
-    // In the plane alone, how far images of sides are from them; the most of the second derivatives of heights along the sides; and how far
-    // corners are from the plane.
+    double beside = 0;             // distance of the images of the sides from these
+    std::array<double, 3> sides{}; // the same for each side
+    std::array<double, 3> outs{};  // how far, in the plane, the surface comes out over each side
+    // across: distance of the images of the sides from these in the plane alone. bends: the second
+    // derivatives of the height along the sides. flat: distance of the corners from the plane.
     std::array<double, 3> across{infinity, infinity, infinity}, bends{};
     double flat = 0;
-    double edge =
-        0; // of places between sides and curves of the border from the mesh, and the other way: by triangle_proof.h
-    // At corner k points of the surface come out over side k + 1, and over side k + 2, within an angle of this tangent, as
-    // seen along a direction up to 30 degrees off the normal.
+    // Distance, both ways, between the mesh and what lies between border sides and their curves. Set by
+    // TriangleProof (triangle_proof.h).
+    double edge = 0;
+    // turns[k]: at corner k, points of the surface come out over side k + 1, and over side k + 2, within
+    // angles of these tangents, as seen along a direction up to 30 degrees off the normal. The foreshortening
+    // of the sides in that view is left to is_beside() of mesh_bound.cpp.
     std::array<std::array<double, 2>, 3> turns{
         {{infinity, infinity}, {infinity, infinity}, {infinity, infinity}}};
-    // Likewise the angles within which the images of the sides themselves come inside.
+    // leans[k]: likewise, the angles within which the images of these sides come inside.
     std::array<std::array<double, 2>, 3> leans = turns;
-    std::array<double, 3>
-        sines{};               // of the angles, and 1 of those that are obtuse as seen along such a direction
-    double whole = infinity;   // no point of the surface is farther from the triangle
-    double weighed = infinity; // by so much what corners are moved by may move places between them
-    std::array<double, 3> angles{4, 4, 4}; // at the corners
-    double altitude = 0;                   // the least one of the triangle
+    // Lower bounds on the sines of the angles; 1 for angles that are obtuse as seen along any such direction.
+    std::array<double, 3> sines{};
+    double whole = infinity;               // distance of any point of the surface from the triangle
+    double weighed = infinity;             // places between corners move at most this times as far
+    std::array<double, 3> angles{4, 4, 4}; // at the corners, from above
+    double altitude = 0;                   // the least one, from below
     Vector3 normal{};                      // 0: the triangle has none
 
-    // By itself: the distance of every point of the part of the surface from the triangle, and the other way round.
+    // For the triangle by itself: the distance of its part of the surface from it, and its distance from the
+    // surface.
     [[nodiscard]] double from_shape() const noexcept {
         return std::min(diagonal(height, out) * (1 + 4 * eps), whole);
     }
     [[nodiscard]] double from_mesh() const noexcept { return std::max(height, beside); }
 };
 
-// The cells cover the triangle. Corners may be rounded; what that moves comes on top of these bounds. Infinite where weights may not
-// be positive.
+// Precondition: the cells cover the triangle. The corners may be rounded; what that moves comes on top of
+// these bounds. Infinite where weights may not be positive.
 TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
                              std::span<const CellPart> cells) noexcept;
-// How far points of the surface over the triangle are from those with the same parameters on it: in less time, and no less than both
-// distances.
+// A bound on the distance between points of the surface and of the triangle at equal parameters. It is a
+// bound on both distances, too, and takes less time than triangle_bound().
 double equal_parameter_bound(const std::array<TriangleCorner, 3> &corners,
                              std::span<const CellPart> cells) noexcept;
 

@@ -8,12 +8,14 @@ namespace nrb::mesh {
 
 namespace {
 
-// However long and narrow a face is, so many places across remain.
+// The least ratio of the sides of the grid, so that enough of its places remain across a long and narrow
+// face.
 constexpr double narrowest = 0x1p-10;
-// Cells that are wider than this share of their length are taken as squares: what bends along both axes is best as fat in space.
+// Cells that are wider than this share of their length are taken as squares: where the surface bends along
+// both axes, triangles are best fat in space.
 constexpr double nearly_round = 0.125;
 
-// How long the sides are there.
+// The lengths of the sides on the grid.
 std::array<double, 2> grid_lengths(const std::array<double, 2> &lengths) noexcept {
     const double longest = std::max(lengths[0], lengths[1]);
     std::array<double, 2> result{};
@@ -52,7 +54,7 @@ std::vector<GridPoint> on_grid(const Rectangle &part, const std::array<double, 2
     return result;
 }
 
-// Walls along one of the axes of the grid that no further point may come on.
+// The walls along one of the axes of the grid that are fixed: no further point may come on them.
 class FixedWalls {
 public:
     FixedWalls(const std::vector<GridPoint> &points, const std::vector<Wall> &walls) {
@@ -72,14 +74,14 @@ public:
         std::ranges::sort(walls_[1]);
     }
 
-    // An end of the wall that a place is on, between its ends; -1: none.
+    // An end of a wall that has a place strictly between its ends; -1: there is no such wall.
     [[nodiscard]] int32_t end_at(const GridPoint &place) const {
         const int32_t end = end_among(walls_[0], place.u, place.v);
         return end >= 0 ? end : end_among(walls_[1], place.v, place.u);
     }
 
 private:
-    using Along = std::array<int32_t, 4>; // the line, from where to where, and the point at an end
+    using Along = std::array<int32_t, 4>; // the line, the interval of the wall on it, and a point at an end
     static int32_t end_among(const std::vector<Along> &walls, int32_t line, int32_t at) {
         const auto next = std::ranges::lower_bound(walls, Along{line, at, 0, 0});
         if (next == walls.begin()) {
@@ -92,7 +94,8 @@ private:
     std::array<std::vector<Along>, 2> walls_;
 };
 
-// What is beyond such a wall is not divided by a point on it: one that the grid puts there is that at an end of the wall.
+// What lies beyond a fixed wall is not divided, so that no point may be on it. A point that rounding to the
+// grid puts there is moved to an end of the wall, unless it is an end of a wall itself.
 std::vector<GridPoint> beside_walls(std::vector<GridPoint> points, const std::vector<Wall> &walls) {
     std::vector<bool> free(points.size(), true);
     for (const Wall &wall : walls) {
@@ -190,7 +193,7 @@ void Strip::fill_component(TriangleId start, const std::vector<Wall> &walls) {
     }
 }
 
-// The ends of an edge that are none of its wall.
+// Notes the ends of an edge that are not ends of its wall.
 void Strip::note_touches(TriangleId t, int k, const std::vector<Wall> &walls) {
     const int32_t label = triangulation_.label(t, k);
     const Wall &wall = walls[static_cast<size_t>(label)];
@@ -203,7 +206,8 @@ void Strip::note_touches(TriangleId t, int k, const std::vector<Wall> &walls) {
     }
 }
 
-// Passages are known from the later component to the earlier one.
+// Sets groups and sides of the components, by a search over passages. These were noted from the later
+// component to the earlier one only.
 void Strip::set_sides() {
     std::vector<std::vector<std::pair<int32_t, bool>>> beside(components_.size());
     for (const Passage &passage : passages_) {

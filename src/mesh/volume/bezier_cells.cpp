@@ -12,7 +12,7 @@ namespace nrb::mesh {
 
 namespace {
 
-// The control point of a net with all pieces side by side that a node of the lattice is.
+// The index of the control point of a node, in the net of all pieces side by side.
 int64_t net_point(const Lattice &lattice, int64_t node) noexcept {
     const std::array<int64_t, max_axes> layers = lattice.layers(node);
     int64_t at = 0;

@@ -67,7 +67,7 @@ std::array<int64_t, max_axes> Lattice::cell(int64_t index) const noexcept {
     return at;
 }
 
-// A node of such a side is one with that in the first layer along it.
+// Joins each node of a collapsed side with the node in the first layer along the collapsed axis.
 void Lattice::collapse(const Collapses &collapses) {
     DisjointSets sets(static_cast<size_t>(nodes_));
     for (int64_t node = 0; node < nodes_; ++node) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells side by side along one to three axes, and the points that they have in common.
+// Cells side by side along one to three axes, and the points that they share.
 #pragma once
 
 #include "base/limits.h"
@@ -10,21 +10,22 @@
 
 namespace nrb::mesh {
 
-// Cells along an axis, each with degree + 1 layers of points.
+// Cells along an axis, each with degree + 1 layers of points. Neighbouring cells share a layer.
 class LatticeAxis {
 public:
-    // apart[i]: cells i and i + 1 have no layer in common. Of a closed axis the last layer of the last cell is the first of the first.
+    // apart[i]: cells i and i + 1 do not share a layer. On a closed axis the last layer of the last cell is
+    // the first layer of the first cell.
     LatticeAxis(int degree, const std::vector<bool> &apart, bool closed);
 
     [[nodiscard]] int degree() const noexcept { return degree_; }
     [[nodiscard]] bool closed() const noexcept { return closed_; }
     [[nodiscard]] int64_t cells() const noexcept { return static_cast<int64_t>(first_.size()); }
     [[nodiscard]] int64_t layers() const noexcept { return static_cast<int64_t>(source_.size()); }
-    // Layer i of a cell; layers() is layer 0 of a closed axis again.
+    // Layer i of a cell. On a closed axis layers() stands for layer 0.
     [[nodiscard]] int64_t layer(int64_t cell, int i) const noexcept {
         return first_[static_cast<size_t>(cell)] + i;
     }
-    // Where a layer is met first: cell * (degree + 1) + i.
+    // The first occurrence of a layer in a cell: cell * (degree + 1) + i.
     [[nodiscard]] int64_t source(int64_t layer) const noexcept { return source_[static_cast<size_t>(layer)]; }
 
 private:
@@ -33,10 +34,12 @@ private:
     std::vector<int64_t> first_, source_;
 };
 
-// Sides of the lattice that are smaller than they look: on end 0 or 1 of axis k all points along axis l are one.
+// Degenerate sides of the lattice: [k][e][l] says that at end e (0 or 1) of axis k all points along axis l
+// are one.
 using Collapses = std::array<std::array<std::array<bool, max_axes>, 2>, max_axes>;
 
-// Nodes are the combinations of layers, points what is left of them where sides collapse; last axis fastest.
+// A node is a combination of layers. Nodes that fall together on collapsed sides are one point. Last axis
+// fastest.
 class Lattice {
 public:
     // Throws Status::overflow.
@@ -48,14 +51,14 @@ public:
     [[nodiscard]] int64_t points() const noexcept { return points_; }
     [[nodiscard]] int64_t nodes() const noexcept { return nodes_; }
     [[nodiscard]] int64_t corners() const noexcept { return static_cast<int64_t>(places_.size()); }
-    // The first node that a point is; the point of a node.
+    // The first node of a point, and the point of a node.
     [[nodiscard]] int64_t node(int64_t point) const noexcept {
         return first_nodes_.empty() ? point : first_nodes_[static_cast<size_t>(point)];
     }
     [[nodiscard]] int64_t point(int64_t node) const noexcept {
         return points_of_.empty() ? node : points_of_[static_cast<size_t>(node)];
     }
-    // The point in some layers; of a closed axis the last one is the first.
+    // The point at some layers; on a closed axis layers() stands for layer 0.
     [[nodiscard]] int64_t point_at(const std::array<int64_t, max_axes> &layers) const noexcept {
         int64_t node = 0;
         for (size_t k = 0; k < axes_.size(); ++k) {
@@ -63,7 +66,7 @@ public:
         }
         return point(node);
     }
-    // The layers of a node; which cells a cell is along the axes.
+    // The layers of a node, and the indices of a cell along the axes.
     [[nodiscard]] std::array<int64_t, max_axes> layers(int64_t node) const noexcept;
     [[nodiscard]] std::array<int64_t, max_axes> cell(int64_t index) const noexcept;
 
@@ -94,7 +97,7 @@ private:
     std::vector<LatticeAxis> axes_;
     std::vector<CellPlace> places_; // of the points of a cell
     int64_t cells_ = 1, nodes_ = 1, points_ = 1;
-    std::vector<int64_t> first_nodes_, points_of_; // empty: points are nodes
+    std::vector<int64_t> first_nodes_, points_of_; // empty: each node is a point of its own
 };
 
 } // namespace nrb::mesh

@@ -14,7 +14,7 @@ namespace {
 
 using pieces::BezierPiece;
 
-// About the middle of a piece, whose control points are within the radius of it.
+// A ball around the middle of the box of a piece that contains its control points.
 struct Ball {
     std::vector<double> centre;
     double radius = 0;
@@ -34,7 +34,8 @@ Ball ball_of(const BezierPiece &piece) {
     return ball;
 }
 
-// The most along an axis of second differences of A - w c, and of first and second ones of w.
+// The largest differences along an axis: second ones of A - w c for the centre c, and first and second ones
+// of the weights w.
 struct Differences {
     double points = 0, weight_step = 0, weight_bend = 0;
 };
@@ -64,7 +65,7 @@ Differences differences_along(const BezierPiece &piece, int axis, const std::vec
     return most;
 }
 
-// V'' w = A'' - 2 V' w' - V w'' about the centre of the ball.
+// A bound on V'' along an axis, from w V'' = A'' - 2 w' V' - w'' V about the centre of the ball.
 double second_along(const BezierPiece &piece, int axis, double first, double least, double largest) {
     const Ball ball = ball_of(piece);
     const Differences d = differences_along(piece, axis, ball.centre);

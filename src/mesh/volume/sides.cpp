@@ -58,7 +58,8 @@ bool is_constant(const std::vector<double> &points, const Spline &side, int k) {
     return true;
 }
 
-// Whether weights are products of numbers of the layers along an axis and others, but for rounding: these do not count.
+// Whether the weights are products of a factor for each layer along an axis and a factor for the other
+// indices, up to rounding. Then the former do not count where the layers have the same points.
 bool are_in_proportion(const Spline &side, int k) {
     const AxisView view = axis_view(side, k, 1);
     const auto weight = [&](int64_t o, int64_t i, int64_t x) {
@@ -77,7 +78,7 @@ bool are_in_proportion(const Spline &side, int k) {
     return true;
 }
 
-// Whether a side is the same at all places of an axis: of a single point whatever the weights.
+// Whether a side is the same all along an axis. For a single point this holds for any weights.
 bool is_along(const Spline &side, const std::vector<double> &points, int k) {
     if (!is_constant(points, side, k)) {
         return false;

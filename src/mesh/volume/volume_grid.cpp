@@ -13,17 +13,18 @@ namespace nrb::mesh {
 
 namespace {
 
-using Counts = std::array<std::vector<int64_t>, max_axes>; // of cells, between breaks
+using Counts = std::array<std::vector<int64_t>, max_axes>; // numbers of cells between breaks, by axis
 using pieces::BernsteinNet;
 
-// Spans, and parts of them where these need many cells: second derivatives differ less on a part.
+// Blocks are spans, or parts of spans that need many cells: second derivatives vary less over a part.
 constexpr int64_t cells_of_part = 4, most_parts = 16;
 constexpr int64_t usual_blocks = 8192; // unless there are more spans
 constexpr int rounds = 3;
-// More cells along a block are more than doubles or memory can hold.
+// More cells along a block are more than doubles can separate or memory can hold.
 constexpr double most_cells_of_block = 0x1p30;
 
-// How many cells a block needs so that a term that falls with their square is at most a share.
+// The number of cells that a block needs so that a term proportional to its inverse square is at most
+// `share`.
 double cells_for(double term, double share) noexcept {
     return std::clamp(std::ceil(std::sqrt(term / share) * (1 + 8 * eps)), 1.0, most_cells_of_block);
 }
@@ -36,7 +37,8 @@ int64_t cells_of(const VolumeGrid &grid) noexcept {
     return cells;
 }
 
-// Parts of blocks are not always better than these: each of them has a whole number of cells.
+// A grid over parts is not always better than one over whole blocks, since each part has a whole number of
+// cells.
 bool better(const VolumeGrid &a, const VolumeGrid &b) noexcept {
     if (a.reached != b.reached) {
         return a.reached;
@@ -69,10 +71,10 @@ public:
 private:
     [[nodiscard]] int64_t blocks(size_t k) const noexcept { return std::ssize(breaks_[k]) - 1; }
     [[nodiscard]] int64_t blocks() const noexcept { return blocks(0) * blocks(1) * blocks(2); }
-    // body(bend, which block it is along the axes).
+    // Calls body(bend, indices of the block along the axes).
     template <class Body>
     void for_each_block(Body &&body) const;
-    // What rounding adds everywhere, also where points that are the same but for that become one.
+    // Allows for rounding everywhere, and once more where points that differ only by rounding become one.
     [[nodiscard]] double noise(double moved) const noexcept { return moved + 2 * rounding_; }
 
     VolumeGrid attempt() {
@@ -100,7 +102,7 @@ private:
     int64_t most_;
     BernsteinNet::Breaks breaks_;
     std::vector<PieceBend> bends_; // of the blocks, last axis fastest
-    double rounding_ = 0;          // of points that are evaluated
+    double rounding_ = 0;          // error of evaluated points
     Counts counts_;
 };
 
@@ -117,7 +119,8 @@ void GridPlan::for_each_block(Body &&body) const {
     }
 }
 
-// Evaluation rounds each coordinate relative to the largest one, 7 p + 2 times for each axis.
+// Evaluation rounds each coordinate 7 p + 2 times for each axis, relative to the largest one; each
+// counts 2 eps.
 double GridPlan::roundings() const noexcept {
     double sum = 8;
     for (int k = 0; k < max_axes; ++k) {
@@ -126,7 +129,8 @@ double GridPlan::roundings() const noexcept {
     return sum;
 }
 
-// Where weights have either sign, errors are relative to the largest of the products of weights and points, over the least weight.
+// With weights of both signs, errors are relative to the largest product of a weight and a point, divided by
+// the least weight (see look()).
 void GridPlan::set_rounding(const pieces::BezierNet &net) noexcept {
     double largest = 0;
     for (const double x : frame_.centre) {
@@ -166,8 +170,9 @@ Counts GridPlan::one_each() const {
     return counts;
 }
 
-// The product of counts is about the least for a sum of terms T_k / n_k^2 if all of them are equal; those that are smaller with one cell
-// leave the rest to the others.
+// The error is a sum of terms T_k / n_k^2 for n_k cells along axis k. For a given sum the product of the n_k
+// is about the least if all terms are equal. Axes whose term is smaller with one cell already leave the rest
+// of the room to the others.
 void GridPlan::raise(const PieceBend &bend, const std::array<size_t, max_axes> &at, double scale,
                      Counts &counts) const {
     const double chord = scale * chord_, slack = noise(bend.moved);
@@ -199,8 +204,8 @@ void GridPlan::raise(const PieceBend &bend, const std::array<size_t, max_axes> &
     }
 }
 
-// Blocks side by side have lines in common, so that most have more of them than they need along other axes: how few will do
-// along each, one axis after the other.
+// Lines run through all blocks side by side, so along other axes most blocks have more of them than they
+// need. One axis after the other, this finds the least numbers that still suffice.
 Counts GridPlan::lowered(const Counts &counts, double scale) const {
     Counts result = counts;
     for (size_t k = 0; k < counts.size(); ++k) {
@@ -225,7 +230,7 @@ Counts GridPlan::lowered(const Counts &counts, double scale) const {
     return result;
 }
 
-// For `scale` times what is asked for.
+// The numbers of cells for limits that are `scale` times those of the rule.
 Counts GridPlan::counts(double scale) const {
     Counts result = one_each();
     count_work(32 * blocks());
@@ -247,7 +252,7 @@ bool GridPlan::fits(const Counts &counts) const noexcept {
     return cells <= static_cast<double>(most_);
 }
 
-// By twice as much until it fits, and then as little more as it takes.
+// Doubles the scale until the cells fit, then reduces it by bisection as far as they do.
 Counts GridPlan::counts_within_limit() const {
     Counts best = counts(1);
     if (fits(best)) {
@@ -272,7 +277,8 @@ Counts GridPlan::counts_within_limit() const {
     return fits(best) ? best : one_each();
 }
 
-// Parts instead of blocks of many cells, or whose bends have no bound. Returns whether there are any.
+// Divides blocks that have many cells, or no bound on their second derivatives, into parts. Returns whether
+// there are any.
 bool GridPlan::divide() {
     Counts parts = one_each();
     for_each_block([&](const PieceBend &bend, const std::array<size_t, max_axes> &at) {
@@ -303,7 +309,7 @@ bool GridPlan::divide() {
     return true;
 }
 
-// The ends of cells, and what share of its block the longest cell has, for each block.
+// The ends of the cells; for each block, `shares` gets the largest share of it that a cell has.
 std::vector<double> GridPlan::lines(size_t k, std::vector<double> &shares) const {
     const std::vector<double> &breaks = breaks_[k];
     std::vector<double> result{breaks.front()};

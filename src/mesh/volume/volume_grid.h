@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines along the axes of a volume so dense that hexahedra between them are near it.
+// Chooses grid lines along the axes of a volume so that the hexahedra between them approximate it.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -9,11 +9,12 @@
 namespace nrb::mesh {
 
 struct VolumeGrid {
-    std::array<std::vector<double>, max_axes>
-        lines;        // rising, from end to end of the domain, all knots among them
-    double bound = 0; // no point of the volume is farther from that of its hexahedron at the same parameters
-    bool reached = true; // all that was asked for is proven
+    // Ascending, from end to end of the domain, with all knots among them.
+    std::array<std::vector<double>, max_axes> lines;
+    double bound = 0;    // on the distance of the volume from its hexahedra at equal parameters
+    bool reached = true; // whether all that was asked for is proven
 
+    // The part of the domain of a cell.
     [[nodiscard]] Part cell(const std::array<size_t, max_axes> &at) const noexcept {
         Part ends{};
         for (size_t k = 0; k < ends.size(); ++k) {
@@ -23,7 +24,7 @@ struct VolumeGrid {
     }
 };
 
-// Where fewer than `most` cells would not do, lines are farther apart; but no knot is left out.
+// If `most` cells do not suffice, lines are farther apart; but no knot is left out.
 VolumeGrid volume_grid(const Spline &volume, const MeshRule &rule, int64_t most);
 
 } // namespace nrb::mesh

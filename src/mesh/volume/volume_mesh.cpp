@@ -18,10 +18,11 @@ namespace nrb::mesh {
 
 namespace {
 
-// Cells that a fold goes through show both signs soon; of those beside it little is known otherwise.
+// Cells through which a fold goes show both signs after few halvings; the cells beside them need some to be
+// decided at all.
 constexpr int64_t halvings_of_cell = 64;
 
-// Grid lines of an axis, as layers of a lattice.
+// The grid lines of an axis as layers of a lattice.
 class Layers {
 public:
     Layers(const Spline &volume, int k, const std::vector<double> &lines)
@@ -36,9 +37,9 @@ public:
     }
 
     [[nodiscard]] const LatticeAxis &axis() const noexcept { return axis_; }
-    // Of the layers, and of the end of a closed axis, which is no layer of its own.
+    // The parameters of the layers, and that of the end of a closed axis, which is not a layer of its own.
     [[nodiscard]] const std::vector<double> &params() const noexcept { return params_; }
-    // The layers up to the next tear from one on; lines on a tear are two layers.
+    // The end of the layers from `first` up to the next tear. A line on a tear has two layers.
     [[nodiscard]] size_t part_end(size_t first) const noexcept {
         size_t end = first + 1;
         while (end < params_.size() && params_[end] != params_[end - 1]) {
@@ -48,7 +49,7 @@ public:
     }
 
 private:
-    // Of each cell but the last whether the volume may jump at its end.
+    // For each cell except the last, whether the volume may jump at its end.
     static std::vector<bool> tears(const KnotVector &axis, const std::vector<double> &lines) {
         const std::vector<bool> jumps = jumps_of(axis);
         const std::span<const double> breaks = axis.spans().breaks();
@@ -107,7 +108,7 @@ private:
     std::vector<Layers> layers_;
     double chord_;
     std::vector<double> nodes_; // [params][params][params][3]
-    double gap_ = 0;            // no node is farther from the point that it has become
+    double gap_ = 0;            // largest distance of a node from the point that it has become
 };
 
 void VolumeMesher::set_points(const Lattice &lattice, std::vector<Vector3> &points) {
@@ -146,7 +147,8 @@ void VolumeMesher::set_points(const Lattice &lattice, std::vector<Vector3> &poin
     }
 }
 
-// Between tears the volume is continuous: its ends there are the limits from inside.
+// Evaluates the nodes between two tears along each axis. The volume is continuous there: values at the ends
+// are limits from inside.
 void VolumeMesher::set_nodes(const Range &range) {
     SplinePtr part = volume_;
     std::array<ConstRecords, max_axes> params;
@@ -190,7 +192,8 @@ void VolumeMesher::set_cells(const Lattice &lattice, std::vector<MeshHexahedron>
     }
 }
 
-// A cell of a piece without a fold has none. The cells of a piece come one after the other.
+// If a piece has no fold, neither have its cells. They come piece by piece, so that the determinant of each
+// piece is computed once.
 void VolumeMesher::set_signs(const Lattice &lattice, std::vector<MeshHexahedron> &cells) const {
     const UsualLimit usual(usual_work(volume_->point_count()));
     const LimitedSearch search;
@@ -221,7 +224,7 @@ void VolumeMesher::set_signs(const Lattice &lattice, std::vector<MeshHexahedron>
     }
 }
 
-// Of each axis the lines at which pieces end.
+// For each axis, the indices of the lines at which pieces end.
 std::array<std::vector<size_t>, max_axes> VolumeMesher::ends_of_pieces() const {
     std::array<std::vector<size_t>, max_axes> ends;
     for (size_t k = 0; k < ends.size(); ++k) {

@@ -5,12 +5,14 @@ namespace nrb::mesh {
 
 namespace {
 
-// The part of the border of a cell that has one place on some axes: 0 or 1, the lower or the upper end; inner: all places between them.
+// A part of the border of a cell. For each axis: 0 or 1 for the lower or upper end, or `inner` for all places
+// between them.
 constexpr int inner = 2;
 using Facet = std::array<int, max_axes>;
 
-// Corners go around the lower end of the last axis, then around its upper one. Edges along the first two axes follow the corners, those
-// along the last axis stand in the order of the corners below them; sides come in pairs, axis by axis.
+// Corners go around the lower end of the last axis, then around its upper end. Edges along the first two axes
+// follow the corners; those along the last axis are in the order of the corners below them. Sides come in
+// pairs, axis by axis.
 constexpr std::array<Facet, 2> curve_ends{{{0, 0, 0}, {1, 0, 0}}};
 constexpr std::array<Facet, 8> square_border{
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {inner, 0, 0}, {1, inner, 0}, {inner, 1, 0}, {0, inner, 0}}};

@@ -285,45 +285,45 @@ NURBS_FOLD_FOUND = 1  # proven: there is one
 NURBS_FOLD_UNDECIDED = 2  # neither
 
 # --- Kinds of hits
-NURBS_HIT_CROSSING = 1  # from one side to the other, or an end that is reached
+NURBS_HIT_CROSSING = 1  # passes from one side to the other, or has an end there
 NURBS_HIT_TANGENT = 2  # a touch, as far as rounding and the tolerance can tell
 NURBS_HIT_CONTACT = 3  # within the tolerance, but proven apart: the nearest place
-NURBS_HIT_OVERLAP = 4  # within the tolerance in all of the range, a span or more
-NURBS_HIT_JUMP = 5  # from one side to the other where the curve jumps, and meets nothing
-NURBS_HIT_UNDECIDED = 6  # a range in which it is left open what there is
+NURBS_HIT_OVERLAP = 4  # within the tolerance in the whole range, which is a span or more
+NURBS_HIT_JUMP = 5  # changes sides where the curve jumps, without meeting anything
+NURBS_HIT_UNDECIDED = 6  # a range in which it is not decided what there is
 
 # --- Status of a ray
-NURBS_RAY_HIT = 0x01  # the ray meets the surface there, if rounding is allowed for
+NURBS_RAY_HIT = 0x01  # the ray meets the surface there, to rounding
 NURBS_RAY_CERTIFIED = 0x02  # nothing is nearer; without NURBS_RAY_HIT: it meets nothing
-NURBS_RAY_TOUCH = 0x04  # it touches the surface there, as far as rounding can tell, or passes it
-NURBS_RAY_BACK = 0x08  # it comes from behind: from the side to which S_u x S_v does not point
+NURBS_RAY_TOUCH = 0x04  # it touches the surface there or just misses it: rounding cannot tell
+NURBS_RAY_BACK = 0x08  # it arrives from behind: from the side to which S_u x S_v does not point
 
 # --- Kinds of nodes of a nurbs_meet
 NURBS_NODE_BORDER = 1  # the surface ends or jumps there
-NURBS_NODE_SEAM = 2  # it closes there on an axis that is not periodic: the branch goes on beyond
-NURBS_NODE_TOUCH = 3  # a part within the tolerance in which branches are not told apart
-NURBS_NODE_UNDECIDED = 4  # a part in which it is left open what there is
-NURBS_NODE_EDGE = 5  # an edge, a corner or a pole of faces of a model, where another branch goes on
-NURBS_NODE_FOLD = 6  # the surface folds as seen along the direction of a projection, or feet do: another sheet goes on
+NURBS_NODE_SEAM = 2  # it closes there on a non-periodic axis: the branch continues beyond
+NURBS_NODE_TOUCH = 3  # a part within the tolerance in which branches are not separated
+NURBS_NODE_UNDECIDED = 4  # a part in which it is not decided what there is
+NURBS_NODE_EDGE = 5  # an edge, a corner or a pole of faces of a model, where another branch continues
+NURBS_NODE_FOLD = 6  # the surface folds, seen along the direction of a projection, or feet do: another sheet continues
 NURBS_NODE_OVERLAP = 7  # a region in which two surfaces are within the tolerance of each other; no branch ends there
 
 # --- Kinds of contours
-NURBS_CONTOUR_SILHOUETTE = 1  # f = N . d: what is seen as an outline along d
-NURBS_CONTOUR_PERSPECTIVE = 2  # f = N . (S - d): the outline that is seen from the point d
-NURBS_CONTOUR_ISOPHOTE = 3  # (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle
-NURBS_CONTOUR_PARABOLIC = 4  # f = K, the Gaussian curvature, but for a positive factor
+NURBS_CONTOUR_SILHOUETTE = 1  # f = N . d: the outline seen along d
+NURBS_CONTOUR_PERSPECTIVE = 2  # f = N . (S - d): the outline seen from the point d
+NURBS_CONTOUR_ISOPHOTE = 3  # (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: normals at one angle to d
+NURBS_CONTOUR_PARABOLIC = 4  # f = K, the Gaussian curvature, up to a positive factor
 
 # --- Kinds of reflection lines
-NURBS_REFLECTION_HIGHLIGHT = 1  # f = N . m: the normal's line meets the line of light
+NURBS_REFLECTION_HIGHLIGHT = 1  # f = N . m: the line along the normal meets the line of light
 NURBS_REFLECTION_ALONG = 2  # f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it
 NURBS_REFLECTION_FROM = 3  # the same with v = S - eye: seen from the point eye
 
 # --- Kinds of branches
-NURBS_BRANCH_CROSSING = 1  # what surfaces, or a surface and a plane, have in common
+NURBS_BRANCH_CROSSING = 1  # a curve that surfaces, or a surface and a plane, have in common
 NURBS_BRANCH_EDGE = 2  # an edge that two faces share
-NURBS_BRANCH_CONTACT = 3  # one at which both faces have the same tangent planes, somewhere at least
-NURBS_BRANCH_TOUCH = 4  # a curve along which surfaces have the same tangent planes: they touch
-NURBS_BRANCH_OVERLAP = 5  # a part of the boundary of a region in which surfaces are one
+NURBS_BRANCH_CONTACT = 3  # an edge that two faces share, with the same tangent planes somewhere at least
+NURBS_BRANCH_TOUCH = 4  # a curve along which surfaces touch: they have the same tangent planes
+NURBS_BRANCH_OVERLAP = 5  # a part of the boundary of a region in which surfaces coincide
 
 # --- Kinds of constraints
 NURBS_CONSTRAIN_VALUE = 0  # the derivative of the given orders is the target; orders 0: the point
@@ -345,15 +345,15 @@ NURBS_BYTES_FACE = 4  # a face: nurbs_face_from_bytes()
 NURBS_BYTES_MODEL = 5  # a model: nurbs_model_from_bytes()
 
 # --- Sides of a model
-NURBS_SIDE_INSIDE = 1  # of a solid, for certain
+NURBS_SIDE_INSIDE = 1  # inside a solid, for certain
 NURBS_SIDE_ON = 0  # no farther from a face than the tolerance
-NURBS_SIDE_OUTSIDE = -1  # of all solids, for certain
+NURBS_SIDE_OUTSIDE = -1  # outside all solids, for certain
 NURBS_SIDE_UNDECIDED = 2  # not known
 
 # --- What is inside of closed curves
-NURBS_FILL_NON_ZERO = 1  # a number other than 0
-NURBS_FILL_EVEN_ODD = 2  # an odd number
-NURBS_FILL_POSITIVE = 3  # a number above 0
+NURBS_FILL_NON_ZERO = 1  # a winding number other than 0
+NURBS_FILL_EVEN_ODD = 2  # an odd winding number
+NURBS_FILL_POSITIVE = 3  # a winding number above 0
 
 # --- What is made of two regions
 NURBS_REGION_UNION = 1  # what is in a or in b
@@ -362,11 +362,11 @@ NURBS_REGION_DIFFERENCE = 3  # what is in a and not in b
 NURBS_REGION_EITHER = 4  # what is in a or in b and not in both: the symmetric difference
 
 # --- Which side of a surface is kept
-NURBS_TRIM_FRONT = 1  # to which its normals N = S_u x S_v point
-NURBS_TRIM_BACK = -1  # the other one
+NURBS_TRIM_FRONT = 1  # the side to which its normals N = S_u x S_v point
+NURBS_TRIM_BACK = -1  # the other side
 
 # --- Flags of meshes
-NURBS_MESH_WELDED = 0x01000000  # nurbs_mesh_triangles() and its kind: corners are points, not vertices.
+NURBS_MESH_WELDED = 0x01000000  # nurbs_mesh_triangles() and similar functions: corners are points, not vertices.
 
 # --- Formats of files
 NURBS_FORMAT_STEP = 1  # STEP: an exchange structure of ISO 10303-21, by AP214
@@ -374,9 +374,9 @@ NURBS_FORMAT_IGES = 2  # IGES 5.3 in lines of 80 columns
 NURBS_FORMAT_STL = 3  # Triangles: binary STL
 NURBS_FORMAT_STL_TEXT = 4  # Triangles: STL as text
 NURBS_FORMAT_OBJ = 5  # Triangles: Wavefront OBJ
-NURBS_FORMAT_PLY = 6  # Triangles: PLY, binary, lowest byte first
+NURBS_FORMAT_PLY = 6  # Triangles: PLY, binary, little-endian
 NURBS_FORMAT_GLB = 7  # Triangles: glTF 2.0 in one binary file
-NURBS_FORMAT_VTU = 8  # Triangles: an unstructured grid of VTK in XML, with raw arrays behind it
+NURBS_FORMAT_VTU = 8  # Triangles: an unstructured grid of VTK in XML, with raw arrays appended
 
 
 def on_axis(axis: int, flags: int) -> int:

@@ -369,7 +369,7 @@ pub struct nurbs_read_options {
     pub reserved: u32,
 }
 
-/// How near to a shape its mesh is to be; fill with nurbs_mesh_options_init() first. NULL stands for the
+/// How near a mesh has to be to its shape; fill with nurbs_mesh_options_init() first. NULL stands for the
 /// defaults as well. Fields are only ever appended, and struct_size is at most 4096. All limits that are
 /// given hold. The extent is the longest side of the box of all control points of all surfaces. \since 1.1
 #[repr(C)]
@@ -377,21 +377,21 @@ pub struct nurbs_read_options {
 pub struct nurbs_mesh_options {
     /// size of this struct as the caller knows it
     pub struct_size: i64,
-    /// the largest distance of shape and mesh, both ways, \> 0; INFINITY
+    /// largest distance between shape and mesh, both ways, \> 0; default INFINITY
     pub chord: f64,
-    /// the same as a share of the extent, \>= 0; 0: no limit; 1e-3
+    /// the same as a share of the extent, \>= 0; 0: no limit; default 1e-3
     pub relative_chord: f64,
-    /// length of sides of triangles, \>= 0; 0: no limit; 0
+    /// largest length of sides of triangles, \>= 0; 0: no limit; default 0
     pub longest: f64,
-    /// of normals at corners of triangles, in radians, 0 to pi; 0, pi: no limit; 0
+    /// of triangles' corner normals, radians, 0 to pi; 0, pi: no limit; default 0
     pub angle: f64,
-    /// of triangles inside, in radians, 0 to pi / 6; 0: no limit; 0
+    /// smallest of triangles inside, radians, 0 to pi / 6; 0: no limit; default 0
     pub minimum_angle: f64,
 }
 
-/// Settings for nurbs_model_write() and those like it; fill with nurbs_write_options_init() first. Fields are
-/// only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one of
-/// its faces, since readers take more where edges need it, and 1e-7 metres if it has none.
+/// Settings for nurbs_model_write() and similar functions; fill with nurbs_write_options_init() first. Fields
+/// are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one
+/// of its faces, since readers enlarge it where edges need that, and 1e-7 metres if it has none.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_write_options {
@@ -893,57 +893,57 @@ pub const NURBS_FOLD_FOUND: i32 = 1;
 pub const NURBS_FOLD_UNDECIDED: i32 = 2;
 
 // --- Kinds of hits
-/// from one side to the other, or an end that is reached
+/// passes from one side to the other, or has an end there
 pub const NURBS_HIT_CROSSING: i32 = 1;
 /// a touch, as far as rounding and the tolerance can tell
 pub const NURBS_HIT_TANGENT: i32 = 2;
 /// within the tolerance, but proven apart: the nearest place
 pub const NURBS_HIT_CONTACT: i32 = 3;
-/// within the tolerance in all of the range, a span or more
+/// within the tolerance in the whole range, which is a span or more
 pub const NURBS_HIT_OVERLAP: i32 = 4;
-/// from one side to the other where the curve jumps, and meets nothing
+/// changes sides where the curve jumps, without meeting anything
 pub const NURBS_HIT_JUMP: i32 = 5;
-/// a range in which it is left open what there is
+/// a range in which it is not decided what there is
 pub const NURBS_HIT_UNDECIDED: i32 = 6;
 
 // --- Status of a ray
-/// the ray meets the surface there, if rounding is allowed for
+/// the ray meets the surface there, to rounding
 pub const NURBS_RAY_HIT: i32 = 0x01;
 /// nothing is nearer; without NURBS_RAY_HIT: it meets nothing
 pub const NURBS_RAY_CERTIFIED: i32 = 0x02;
-/// it touches the surface there, as far as rounding can tell, or passes it
+/// it touches the surface there or just misses it: rounding cannot tell
 pub const NURBS_RAY_TOUCH: i32 = 0x04;
-/// it comes from behind: from the side to which S_u x S_v does not point
+/// it arrives from behind: from the side to which S_u x S_v does not point
 pub const NURBS_RAY_BACK: i32 = 0x08;
 
 // --- Kinds of nodes of a nurbs_meet
 /// the surface ends or jumps there
 pub const NURBS_NODE_BORDER: i32 = 1;
-/// it closes there on an axis that is not periodic: the branch goes on beyond
+/// it closes there on a non-periodic axis: the branch continues beyond
 pub const NURBS_NODE_SEAM: i32 = 2;
-/// a part within the tolerance in which branches are not told apart
+/// a part within the tolerance in which branches are not separated
 pub const NURBS_NODE_TOUCH: i32 = 3;
-/// a part in which it is left open what there is
+/// a part in which it is not decided what there is
 pub const NURBS_NODE_UNDECIDED: i32 = 4;
-/// an edge, a corner or a pole of faces of a model, where another branch goes on
+/// an edge, a corner or a pole of faces of a model, where another branch continues
 pub const NURBS_NODE_EDGE: i32 = 5;
-/// the surface folds as seen along the direction of a projection, or feet do: another sheet goes on
+/// the surface folds, seen along the direction of a projection, or feet do: another sheet continues
 pub const NURBS_NODE_FOLD: i32 = 6;
 /// a region in which two surfaces are within the tolerance of each other; no branch ends there
 pub const NURBS_NODE_OVERLAP: i32 = 7;
 
 // --- Kinds of contours
-/// f = N . d: what is seen as an outline along d
+/// f = N . d: the outline seen along d
 pub const NURBS_CONTOUR_SILHOUETTE: i32 = 1;
-/// f = N . (S - d): the outline that is seen from the point d
+/// f = N . (S - d): the outline seen from the point d
 pub const NURBS_CONTOUR_PERSPECTIVE: i32 = 2;
-/// (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: under one angle
+/// (N . d)^2 = c^2 |N|^2 |d|^2 where N . d has the sign of c: normals at one angle to d
 pub const NURBS_CONTOUR_ISOPHOTE: i32 = 3;
-/// f = K, the Gaussian curvature, but for a positive factor
+/// f = K, the Gaussian curvature, up to a positive factor
 pub const NURBS_CONTOUR_PARABOLIC: i32 = 4;
 
 // --- Kinds of reflection lines
-/// f = N . m: the normal's line meets the line of light
+/// f = N . m: the line along the normal meets the line of light
 pub const NURBS_REFLECTION_HIGHLIGHT: i32 = 1;
 /// f = (N . N) (v . m) - 2 (N . v) (N . m), v = eye: the mirrored line of sight meets it
 pub const NURBS_REFLECTION_ALONG: i32 = 2;
@@ -951,15 +951,15 @@ pub const NURBS_REFLECTION_ALONG: i32 = 2;
 pub const NURBS_REFLECTION_FROM: i32 = 3;
 
 // --- Kinds of branches
-/// what surfaces, or a surface and a plane, have in common
+/// a curve that surfaces, or a surface and a plane, have in common
 pub const NURBS_BRANCH_CROSSING: i32 = 1;
 /// an edge that two faces share
 pub const NURBS_BRANCH_EDGE: i32 = 2;
-/// one at which both faces have the same tangent planes, somewhere at least
+/// an edge that two faces share, with the same tangent planes somewhere at least
 pub const NURBS_BRANCH_CONTACT: i32 = 3;
-/// a curve along which surfaces have the same tangent planes: they touch
+/// a curve along which surfaces touch: they have the same tangent planes
 pub const NURBS_BRANCH_TOUCH: i32 = 4;
-/// a part of the boundary of a region in which surfaces are one
+/// a part of the boundary of a region in which surfaces coincide
 pub const NURBS_BRANCH_OVERLAP: i32 = 5;
 
 // --- Kinds of constraints
@@ -993,21 +993,21 @@ pub const NURBS_BYTES_FACE: i32 = 4;
 pub const NURBS_BYTES_MODEL: i32 = 5;
 
 // --- Sides of a model
-/// of a solid, for certain
+/// inside a solid, for certain
 pub const NURBS_SIDE_INSIDE: i32 = 1;
 /// no farther from a face than the tolerance
 pub const NURBS_SIDE_ON: i32 = 0;
-/// of all solids, for certain
+/// outside all solids, for certain
 pub const NURBS_SIDE_OUTSIDE: i32 = -1;
 /// not known
 pub const NURBS_SIDE_UNDECIDED: i32 = 2;
 
 // --- What is inside of closed curves
-/// a number other than 0
+/// a winding number other than 0
 pub const NURBS_FILL_NON_ZERO: i32 = 1;
-/// an odd number
+/// an odd winding number
 pub const NURBS_FILL_EVEN_ODD: i32 = 2;
-/// a number above 0
+/// a winding number above 0
 pub const NURBS_FILL_POSITIVE: i32 = 3;
 
 // --- What is made of two regions
@@ -1021,13 +1021,13 @@ pub const NURBS_REGION_DIFFERENCE: i32 = 3;
 pub const NURBS_REGION_EITHER: i32 = 4;
 
 // --- Which side of a surface is kept
-/// to which its normals N = S_u x S_v point
+/// the side to which its normals N = S_u x S_v point
 pub const NURBS_TRIM_FRONT: i32 = 1;
-/// the other one
+/// the other side
 pub const NURBS_TRIM_BACK: i32 = -1;
 
 // --- Flags of meshes
-/// nurbs_mesh_triangles() and its kind: corners are points, not vertices.
+/// nurbs_mesh_triangles() and similar functions: corners are points, not vertices.
 pub const NURBS_MESH_WELDED: u32 = 0x01000000;
 
 // --- Formats of files
@@ -1041,11 +1041,11 @@ pub const NURBS_FORMAT_STL: i32 = 3;
 pub const NURBS_FORMAT_STL_TEXT: i32 = 4;
 /// Triangles: Wavefront OBJ
 pub const NURBS_FORMAT_OBJ: i32 = 5;
-/// Triangles: PLY, binary, lowest byte first
+/// Triangles: PLY, binary, little-endian
 pub const NURBS_FORMAT_PLY: i32 = 6;
 /// Triangles: glTF 2.0 in one binary file
 pub const NURBS_FORMAT_GLB: i32 = 7;
-/// Triangles: an unstructured grid of VTK in XML, with raw arrays behind it
+/// Triangles: an unstructured grid of VTK in XML, with raw arrays appended
 pub const NURBS_FORMAT_VTU: i32 = 8;
 
 #[link(name = "nurbs")]
@@ -3718,7 +3718,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_roots() as a call that can be watched and ended.
+    /// nurbs_roots() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `kinds`, `ranges`, `count`, `complete`, `call`.
     pub fn nurbs_roots_with(
@@ -3733,8 +3733,7 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Where a curve meets a line, a plane, a conic, a sphere, a quadric or another set f(x) = 0 of a
-    /// polynomial f.
+    /// Where a curve meets a line, plane, conic, sphere, quadric or other set f(x) = 0 of a polynomial f.
     ///
     /// May be null: `params`, `kinds`, `ranges`, `count`, `complete`.
     pub fn nurbs_curve_level(
@@ -3749,7 +3748,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_curve_level() as a call that can be watched and ended.
+    /// nurbs_curve_level() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `kinds`, `ranges`, `count`, `complete`, `call`.
     pub fn nurbs_curve_level_with(
@@ -3781,7 +3780,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_curve_intersections() as a call that can be watched and ended.
+    /// nurbs_curve_intersections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params_a`, `params_b`, `kinds`, `ranges_a`, `ranges_b`, `count`, `complete`, `call`.
     pub fn nurbs_curve_intersections_with(
@@ -3798,7 +3797,7 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Where a curve meets itself, at places a \< b: as nurbs_curve_intersections() of its parts.
+    /// Where a curve meets itself, at pairs of parameters a \< b.
     ///
     /// May be null: `params_a`, `params_b`, `kinds`, `ranges_a`, `ranges_b`, `count`, `complete`.
     pub fn nurbs_curve_self_intersections(
@@ -3813,7 +3812,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_curve_self_intersections() as a call that can be watched and ended.
+    /// nurbs_curve_self_intersections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params_a`, `params_b`, `kinds`, `ranges_a`, `ranges_b`, `count`, `complete`, `call`.
     pub fn nurbs_curve_self_intersections_with(
@@ -3846,7 +3845,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_curve_surface_intersections() as a call that can be watched and ended.
+    /// nurbs_curve_surface_intersections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params_curve`, `params_surface`, `kinds`, `ranges_curve`, `ranges_surface`, `count`,
     /// `complete`, `call`.
@@ -3880,7 +3879,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_surfaces_common_points() as a call that can be watched and ended.
+    /// nurbs_surfaces_common_points() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `points`, `kinds`, `ranges`, `count`, `complete`, `call`.
     pub fn nurbs_surfaces_common_points_with(
@@ -3897,7 +3896,7 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Where rays x = origin + t direction, t \>= 0, meet a surface first.
+    /// The first hits of rays x = origin + t direction, t \>= 0, with a surface.
     ///
     /// May be null: `params`, `distances`, `status`.
     pub fn nurbs_surface_rays(
@@ -3913,7 +3912,7 @@ extern "C" {
         distances: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_surface_rays() as a call that can be watched and ended.
+    /// nurbs_surface_rays() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `distances`, `status`, `call`.
     pub fn nurbs_surface_rays_with(
@@ -3930,7 +3929,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// All places where a ray meets a surface, by rising t, as nurbs_surface_rays() finds the first.
+    /// All places where a ray meets a surface, in the order of rising t.
     ///
     /// May be null: `range`, `params`, `distances`, `kinds`, `count`, `complete`.
     pub fn nurbs_surface_ray_hits(
@@ -3954,7 +3953,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_sections() as a call that can be watched and ended.
+    /// nurbs_surface_sections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_surface_sections_with(
@@ -3966,9 +3965,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all, as curves in
-    /// space and in the parameter domain. f of the kinds is a polynomial on each Bezier piece, whose zeros
-    /// are followed as nurbs_surface_sections() does, with f \> 0 on the left of branches.
+    /// Silhouettes, isophotes and parabolic curves of a surface: all of them, proven to be all.
     ///
     /// May be null: `d`, `cosines`.
     pub fn nurbs_surface_contours(
@@ -3980,7 +3977,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_contours() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    /// nurbs_surface_contours() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `d`, `cosines`, `call`.
     pub fn nurbs_surface_contours_with(
@@ -3993,8 +3990,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Lines of light that a surface mirrors, for looking at how fair it is: all of them, proven to be all,
-    /// as nurbs_surface_contours() finds contours.
+    /// Reflection lines and highlight lines of a surface, which show how fair it is.
     ///
     /// May be null: `eye`.
     pub fn nurbs_surface_reflections(
@@ -4009,7 +4005,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_reflections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    /// nurbs_surface_reflections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `eye`, `call`.
     pub fn nurbs_surface_reflections_with(
@@ -4025,9 +4021,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Where an implicit polynomial f of space vanishes on a surface: its meets with a plane, a sphere, any
-    /// quadric or algebraic surface, all of them, proven to be all. f(S(u, v)) is a polynomial on each Bezier
-    /// piece, followed as by nurbs_surface_contours(), with f \> 0 on the left of branches.
+    /// Where an implicit polynomial f of space vanishes on a surface.
     pub fn nurbs_surface_level(
         g: *const nurbs,
         degree: i32,
@@ -4035,7 +4029,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_level() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    /// nurbs_surface_level() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_surface_level_with(
@@ -4046,8 +4040,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Level curves of a scalar spline over a surface: where a temperature, a pressure or a thickness has
-    /// given values, all of them, proven to be all.
+    /// Level curves of a scalar spline over a surface, such as a temperature, a pressure or a thickness.
     pub fn nurbs_surface_level_curves(
         g: *const nurbs,
         scalar: *const nurbs,
@@ -4056,8 +4049,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_level_curves() as a call that can be watched and ended, as
-    /// nurbs_surface_sections_with().
+    /// nurbs_surface_level_curves() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_surface_level_curves_with(
@@ -4076,8 +4068,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_intersections() as a call that can be watched and ended, as
-    /// nurbs_surface_sections_with().
+    /// nurbs_surface_intersections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_surface_intersections_with(
@@ -4087,15 +4078,13 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Where a surface meets itself: all curves along which it takes points twice, or the proof that there
-    /// are none.
+    /// Where a surface meets itself: all curves of double points, or the proof that there are none.
     pub fn nurbs_surface_self_intersections(
         g: *const nurbs,
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_self_intersections() as a call that can be watched and ended, as
-    /// nurbs_surface_sections_with().
+    /// nurbs_surface_self_intersections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_surface_self_intersections_with(
@@ -4104,17 +4093,14 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Where two faces meet: what their surfaces have in common (nurbs_surface_intersections()) inside of the
-    /// loops of both, as nurbs_meet_trim() and nurbs_meet_trim_second() cut it, and the edges that they
-    /// share, which have one key (nurbs_face_edge()) and lie in one place: so neighbours of a model meet in
-    /// their edges.
+    /// Where two faces meet: in curves, in regions, and in the edges that they share.
     pub fn nurbs_face_intersections(
         a: *const nurbs_face,
         b: *const nurbs_face,
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_face_intersections() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    /// nurbs_face_intersections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_face_intersections_with(
@@ -4124,8 +4110,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// A curve projected onto a surface, along a direction d or, without one, normally: all curves of the
-    /// projected points, proven to be all.
+    /// A curve projected onto a surface, along a direction d or along the normals of the surface.
     ///
     /// May be null: `direction`.
     pub fn nurbs_surface_project_curve(
@@ -4135,8 +4120,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_surface_project_curve() as a call that can be watched and ended, as
-    /// nurbs_surface_sections_with().
+    /// nurbs_surface_project_curve() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `direction`, `call`.
     pub fn nurbs_surface_project_curve_with(
@@ -4147,9 +4131,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// A curve projected onto a face, along a direction or normally: what of nurbs_surface_project_curve() on
-    /// its surface is inside of its loops, trimmed as by nurbs_meet_trim(): where branches leave the face
-    /// they end in nodes BORDER.
+    /// A curve projected onto a face, along a direction or along the normals of its surface.
     ///
     /// May be null: `direction`.
     pub fn nurbs_face_project_curve(
@@ -4159,7 +4141,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_face_project_curve() as a call that can be watched and ended, as nurbs_surface_sections_with().
+    /// nurbs_face_project_curve() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `direction`, `call`.
     pub fn nurbs_face_project_curve_with(
@@ -4176,7 +4158,7 @@ extern "C" {
     ///
     /// May be null: `meet`.
     pub fn nurbs_meet_destroy(meet: *mut nurbs_meet);
-    /// How much a meet holds.
+    /// The numbers of branches and nodes of a meet, and whether it is complete.
     ///
     /// May be null: `branches`, `nodes`, `complete`.
     pub fn nurbs_meet_counts(
@@ -4197,7 +4179,7 @@ extern "C" {
         deviations: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// What the branches of a meet are.
+    /// What kind each branch of a meet is.
     ///
     /// May be null: `kinds`, `count`.
     pub fn nurbs_meet_kinds(
@@ -4206,20 +4188,20 @@ extern "C" {
         kinds: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// A branch of a meet: cubic curves with common knots, whose parameter is about the length in space.
+    /// A branch of a meet, as curves in space and in the parameter domain.
     pub fn nurbs_meet_branch(
         meet: *const nurbs_meet,
         index: i64,
         space: *mut *mut nurbs,
         on_surface: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The curve of a branch on the second of two surfaces: of a projection, that of (t, h).
+    /// The curve of a branch on the second of two surfaces; in a projection, the curve of (t, h).
     pub fn nurbs_meet_branch_second(
         meet: *const nurbs_meet,
         index: i64,
         on_second: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The nodes of a meet: where branches end, and where there may be more than they tell.
+    /// The nodes of a meet: where branches end, and where something is not resolved.
     ///
     /// May be null: `levels`, `kinds`, `params`, `ranges`, `count`.
     pub fn nurbs_meet_nodes(
@@ -4231,7 +4213,7 @@ extern "C" {
         ranges: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// Where the nodes of a meet are on the second of two surfaces: of a projection, their (t, h).
+    /// Where the nodes of a meet are on the second of two surfaces; in a projection, their (t, h).
     ///
     /// May be null: `params`, `ranges`, `count`.
     pub fn nurbs_meet_nodes_second(
@@ -4241,7 +4223,7 @@ extern "C" {
         ranges: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// The ways that the branches of a meet make, from one to the next.
+    /// The ways of a meet: chains of branches, each of which continues the one before.
     ///
     /// May be null: `levels`, `firsts`, `sizes`, `closes`, `gaps`, `count`.
     pub fn nurbs_meet_ways(
@@ -4254,7 +4236,7 @@ extern "C" {
         gaps: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// Where the branches of nurbs_model_sections() are: on which faces. -1 in a meet of one surface.
+    /// The faces on which the branches of a meet of a model lie; -1 in other meets.
     ///
     /// May be null: `own_faces`, `own_instances`, `count`.
     pub fn nurbs_meet_faces(
@@ -4264,8 +4246,7 @@ extern "C" {
         own_instances: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// Where the branches of nurbs_model_intersections() are: on which faces of the second model. -1 in other
-    /// meets.
+    /// The faces of the second model of nurbs_model_intersections() on which branches lie; else -1.
     ///
     /// May be null: `own_faces`, `own_instances`, `count`.
     pub fn nurbs_meet_faces_second(
@@ -4275,7 +4256,7 @@ extern "C" {
         own_instances: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// How ways go on at the nodes of a meet, and on which faces of a model these are.
+    /// How branches continue at the nodes of a meet, and on which faces of a model these nodes are.
     ///
     /// May be null: `next_nodes`, `gaps`, `own_faces`, `own_instances`, `count`.
     pub fn nurbs_meet_joints(
@@ -4287,7 +4268,7 @@ extern "C" {
         own_instances: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// On which faces of the second model the nodes of nurbs_model_intersections() are. -1 in other meets.
+    /// The faces of the second model of nurbs_model_intersections() on which nodes are; else -1.
     ///
     /// May be null: `own_faces`, `own_instances`, `count`.
     pub fn nurbs_meet_joints_second(
@@ -4297,14 +4278,13 @@ extern "C" {
         own_instances: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// What of a meet lies in a face: of its branches the parts inside of the loops, which end in nodes
-    /// BORDER on them, and the nodes of these parts.
+    /// The part of a meet that lies in a face.
     pub fn nurbs_meet_trim(
         meet: *const nurbs_meet,
         face: *const nurbs_face,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_meet_trim() as a call that can be watched and ended.
+    /// nurbs_meet_trim() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_meet_trim_with(
@@ -4313,15 +4293,13 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// What of a meet of two surfaces lies in a face of the second one, as nurbs_meet_trim() tells it of the
-    /// first: curves in the domain of the second surface are cut where they cross the loops, and all curves
-    /// of a branch with them.
+    /// The part of a meet of two surfaces that lies in a face of the second one.
     pub fn nurbs_meet_trim_second(
         meet: *const nurbs_meet,
         face: *const nurbs_face,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_meet_trim_second() as a call that can be watched and ended.
+    /// nurbs_meet_trim_second() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_meet_trim_second_with(
@@ -5209,8 +5187,7 @@ extern "C" {
         minor: *mut i32,
     ) -> nurbs_status;
     // --- Models
-    /// Reads the faces, edges and vertices of a STEP or an IGES file; which of them it is, its first line
-    /// says.
+    /// Reads the faces, edges and vertices of a STEP or an IGES file.
     ///
     /// May be null: `options`.
     pub fn nurbs_read_model(
@@ -5219,7 +5196,7 @@ extern "C" {
         options: *const nurbs_read_options,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// nurbs_read_model() as a call that can be watched and ended.
+    /// nurbs_read_model() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_read_model_with(
@@ -5229,7 +5206,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// Reads a file by its path; see nurbs_read_model().
+    /// Reads a model from a file by its path; see nurbs_read_model().
     ///
     /// May be null: `options`.
     pub fn nurbs_read_model_file(
@@ -5237,7 +5214,7 @@ extern "C" {
         options: *const nurbs_read_options,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// nurbs_read_model_file() as a call that can be watched and ended.
+    /// nurbs_read_model_file() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_read_model_file_with(
@@ -5246,16 +5223,14 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// A model of faces, with one part and one use of it.
+    /// A model made of faces, with one part and one use of it.
     pub fn nurbs_model_create(
         count: i64,
         faces: *const *const nurbs_face,
         metres: f64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// A model of patches that do not know each other, with one part and one use of it: pieces of their
-    /// boundaries that lie along each other become common edges, so that nurbs_mesh_model() makes a mesh
-    /// without gaps.
+    /// A model sewn from patches without topology: boundaries that coincide become common edges.
     pub fn nurbs_model_sew(
         count: i64,
         faces: *const *const nurbs_face,
@@ -5263,7 +5238,7 @@ extern "C" {
         metres: f64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// nurbs_model_sew() as a call that can be watched and ended.
+    /// nurbs_model_sew() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_model_sew_with(
@@ -5280,7 +5255,7 @@ extern "C" {
     ///
     /// May be null: `model`.
     pub fn nurbs_model_destroy(model: *mut nurbs_model);
-    /// How much a model holds.
+    /// The numbers of parts, uses, faces, edges and vertices of a model.
     ///
     /// May be null: `parts`, `uses`, `faces`, `edges`, `vertices`.
     pub fn nurbs_model_counts(
@@ -5291,7 +5266,7 @@ extern "C" {
         edges: *mut i64,
         vertices: *mut i64,
     ) -> nurbs_status;
-    /// A face of a model.
+    /// A face of a model, with its part, kind, orientation and colour.
     ///
     /// May be null: `part`, `shape`, `against`, `colour`.
     pub fn nurbs_model_face(
@@ -5303,9 +5278,7 @@ extern "C" {
         colour: *mut f64,
         out: *mut *mut nurbs_face,
     ) -> nurbs_status;
-    /// The name of a face, from the file (STEP: name of the face; IGES: name property, else label and
-    /// subscript); else the number of its entity, such as "#18" in STEP and "144#17" in IGES; in other models
-    /// its index.
+    /// The name of a face.
     ///
     /// May be null: `buf`, `length`.
     pub fn nurbs_model_face_name(
@@ -5324,8 +5297,7 @@ extern "C" {
         solid: *mut i64,
         in_void: *mut i32,
     ) -> nurbs_status;
-    /// The layers that a face is in, by itself or as part of a shell, a solid or a representation (STEP);
-    /// else by its shell or solid (IGES).
+    /// The layers that a face is in.
     ///
     /// May be null: `layers`, `count`.
     pub fn nurbs_model_face_layers(
@@ -5335,7 +5307,7 @@ extern "C" {
         layers: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// An edge of a model.
+    /// An edge of a model, with its part, end vertices and kind.
     ///
     /// May be null: `part`, `end_vertices`, `shape`.
     pub fn nurbs_model_edge(
@@ -5356,9 +5328,7 @@ extern "C" {
         places: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// How well faces meet at the edges of a model: how many uses each has, 1 where a face ends, and how far
-    /// the curves of faces, as their surfaces map them, are from it at most, as nurbs_face_deviation() finds
-    /// it.
+    /// How well faces meet at the edges of a model: the number of uses and the largest gap of each edge.
     ///
     /// May be null: `uses`, `gaps`, `bounded`, `count`.
     pub fn nurbs_model_edge_gaps(
@@ -5391,7 +5361,7 @@ extern "C" {
         part: *mut i64,
         placement: *mut f64,
     ) -> nurbs_status;
-    /// Where the parts of a model stand in the whole: each way through uses of parts in parts.
+    /// Where the parts of a model stand in the whole: each chain of uses from the whole to a part.
     ///
     /// May be null: `parents`, `last_uses`, `own_parts`, `placements`, `count`.
     pub fn nurbs_model_instances(
@@ -5403,8 +5373,7 @@ extern "C" {
         placements: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// Where rays x = origin + t direction, t \>= 0, meet the faces of a model first, of all parts where they
-    /// stand in the whole (nurbs_model_instances()).
+    /// The first hits of rays x = origin + t direction, t \>= 0, with the faces of a model.
     ///
     /// May be null: `params`, `distances`, `status`, `places`.
     pub fn nurbs_model_rays(
@@ -5417,7 +5386,7 @@ extern "C" {
         status: *mut i32,
         places: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_model_rays() as a call that can be watched and ended.
+    /// nurbs_model_rays() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `distances`, `status`, `places`, `call`.
     pub fn nurbs_model_rays_with(
@@ -5431,7 +5400,7 @@ extern "C" {
         places: *mut i64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// All places where a ray meets the faces of a model, by rising t, as nurbs_model_rays() finds the first.
+    /// All places where a ray meets the faces of a model, in the order of rising t.
     ///
     /// May be null: `range`, `params`, `distances`, `kinds`, `places`, `count`, `complete`.
     pub fn nurbs_model_ray_hits(
@@ -5447,8 +5416,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_model_ray_hits() as a call that can be watched and ended; at the limit of work it is not
-    /// complete.
+    /// nurbs_model_ray_hits() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `range`, `params`, `distances`, `kinds`, `places`, `count`, `complete`, `call`.
     pub fn nurbs_model_ray_hits_with(
@@ -5465,8 +5433,7 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Whether points are inside the solids of a closed model: a ray from the point leaves a solid once more
-    /// than it enters it.
+    /// Whether points are inside the solids of a closed model.
     pub fn nurbs_model_classify(
         model: *const nurbs_model,
         n: i64,
@@ -5476,7 +5443,7 @@ extern "C" {
         tolerance: f64,
         sides: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_model_classify() as a call that can be watched and ended.
+    /// nurbs_model_classify() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_model_classify_with(
@@ -5489,9 +5456,7 @@ extern "C" {
         sides: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The points of all faces of a model, where their parts stand in the whole (nurbs_model_instances()),
-    /// that are nearest to given points: of each face as nurbs_face_closest_points() finds them, the nearest
-    /// boxes first, so that few faces are searched.
+    /// The points of a model that are nearest to given points.
     ///
     /// May be null: `params`, `feet`, `distances`, `status`, `places`.
     pub fn nurbs_model_closest_points(
@@ -5507,7 +5472,7 @@ extern "C" {
         status: *mut i32,
         places: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_model_closest_points() as a call that can be watched and ended.
+    /// nurbs_model_closest_points() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `feet`, `distances`, `status`, `places`, `call`.
     pub fn nurbs_model_closest_points_with(
@@ -5524,8 +5489,7 @@ extern "C" {
         places: *mut i64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Where planes of any directions cut the faces of a model where they stand in the whole
-    /// (nurbs_model_instances()), joined to ways over the edges that faces share.
+    /// Where planes cut the faces of a model, with the curves joined to ways over shared edges.
     pub fn nurbs_model_sections(
         model: *const nurbs_model,
         n: i64,
@@ -5534,7 +5498,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_model_sections() as a call that can be watched and ended.
+    /// nurbs_model_sections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_model_sections_with(
@@ -5546,15 +5510,14 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Where the faces of two models meet where they stand in the whole (nurbs_model_instances()), joined to
-    /// ways over the edges that faces share: the curves of a union, a difference or an intersection.
+    /// Where the faces of two models meet, with the curves joined to ways over shared edges.
     pub fn nurbs_model_intersections(
         a: *const nurbs_model,
         b: *const nurbs_model,
         tolerance: f64,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// nurbs_model_intersections() as a call that can be watched and ended.
+    /// nurbs_model_intersections() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_model_intersections_with(
@@ -5564,7 +5527,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_meet,
     ) -> nurbs_status;
-    /// Area of all faces of a model where they stand in the whole (nurbs_model_instances()).
+    /// The area of all faces of a model where they stand in the whole (nurbs_model_instances()).
     ///
     /// May be null: `error`.
     pub fn nurbs_model_area(
@@ -5573,7 +5536,7 @@ extern "C" {
         area: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_model_area() as a call that can be watched and ended.
+    /// nurbs_model_area() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `error`, `call`.
     pub fn nurbs_model_area_with(
@@ -5583,9 +5546,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Volume, centroid and inertia of the solids of a closed model where they stand in the whole
-    /// (nurbs_model_instances()), by the divergence theorem over their trimmed faces, as
-    /// nurbs_enclosed_volume() has it of whole surfaces.
+    /// Volume, centroid and inertia of the solids of a closed model.
     ///
     /// May be null: `centroid`, `inertia`, `openness`, `error`.
     pub fn nurbs_model_volume(
@@ -5597,7 +5558,7 @@ extern "C" {
         openness: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_model_volume() as a call that can be watched and ended.
+    /// nurbs_model_volume() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `centroid`, `inertia`, `openness`, `error`, `call`.
     pub fn nurbs_model_volume_with(
@@ -5610,8 +5571,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The curves and surfaces of a file that no face or edge consists of, with its unit of length and the
-    /// notes on all that was not read.
+    /// The curves and surfaces of a file that are part of no face or edge, as a list.
     pub fn nurbs_model_splines(model: *const nurbs_model, out: *mut *mut nurbs_list) -> nurbs_status;
     /// The layers that one of the splines of nurbs_model_splines() is in.
     ///
@@ -5623,11 +5583,9 @@ extern "C" {
         layers: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// How many layers faces and splines of a model are in.
+    /// The number of layers that faces and splines of a model are in.
     pub fn nurbs_model_layer_count(model: *const nurbs_model, count: *mut i64) -> nurbs_status;
-    /// The name of a layer: of a PRESENTATION_LAYER_ASSIGNMENT in STEP, where those of equal names are one;
-    /// the number of a level in IGES, such as "3", or what a property (406 form 3) says that the level is
-    /// for.
+    /// The name of a layer.
     ///
     /// May be null: `buf`, `length`.
     pub fn nurbs_model_layer(
@@ -5638,8 +5596,7 @@ extern "C" {
         length: *mut i64,
     ) -> nurbs_status;
     // --- Regions, and parts of faces
-    /// The region that closed curves of the plane enclose, however they cross, touch or lie in each other:
-    /// outlines of fonts, paths of cutters.
+    /// The region of the plane that closed curves enclose, however they cross, touch or lie in each other.
     pub fn nurbs_region_create(
         count: i64,
         curves: *const *const nurbs,
@@ -5647,7 +5604,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// nurbs_region_create() as a call that can be watched and ended.
+    /// nurbs_region_create() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_region_create_with(
@@ -5658,7 +5615,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// The union, intersection or difference of two regions.
+    /// The union, intersection, difference or symmetric difference of two regions.
     pub fn nurbs_region_combine(
         rule: i32,
         count_a: i64,
@@ -5668,7 +5625,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// nurbs_region_combine() as a call that can be watched and ended.
+    /// nurbs_region_combine() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_region_combine_with(
@@ -5681,8 +5638,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// The parts of a face that curves in the domain of its surface divide it into: what is cut with them, or
-    /// along curves where it meets other shapes.
+    /// The parts into which curves in the domain of its surface divide a face.
     pub fn nurbs_face_split(
         face: *const nurbs_face,
         count: i64,
@@ -5690,7 +5646,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// nurbs_face_split() as a call that can be watched and ended.
+    /// nurbs_face_split() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_face_split_with(
@@ -5701,9 +5657,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// What of a face lies on one side of a surface: the parts into which the curves of
-    /// nurbs_surface_intersections() divide it, as nurbs_face_split() makes them, without those on the other
-    /// side.
+    /// The parts of a face that lie on one side of a surface.
     pub fn nurbs_face_trim(
         face: *const nurbs_face,
         surface: *const nurbs,
@@ -5711,7 +5665,7 @@ extern "C" {
         tolerance: f64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// nurbs_face_trim() as a call that can be watched and ended.
+    /// nurbs_face_trim() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_face_trim_with(
@@ -5723,8 +5677,7 @@ extern "C" {
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
     // --- Meshes
-    /// A polyline in place of a curve: segments whose Hausdorff distance from the parts of the curve that
-    /// they replace, both ways, is at most `chord`.
+    /// A polyline that approximates a curve within a proven distance.
     ///
     /// May be null: `params`, `points`, `bound`, `reached`, `count`.
     pub fn nurbs_mesh_curve(
@@ -5739,7 +5692,7 @@ extern "C" {
         reached: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_mesh_curve() as a call that can be watched and ended.
+    /// nurbs_mesh_curve() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `points`, `bound`, `reached`, `count`, `call`.
     pub fn nurbs_mesh_curve_with(
@@ -5757,7 +5710,7 @@ extern "C" {
     ) -> nurbs_status;
     /// Fills an options struct with the defaults.
     pub fn nurbs_mesh_options_init(options: *mut nurbs_mesh_options, struct_size: i64) -> nurbs_status;
-    /// Triangles in place of a whole surface.
+    /// A triangle mesh of a whole surface, within proven distances.
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_surface(
@@ -5765,7 +5718,7 @@ extern "C" {
         options: *const nurbs_mesh_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// nurbs_mesh_surface() as a call that can be watched and ended.
+    /// nurbs_mesh_surface() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_surface_with(
@@ -5774,8 +5727,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// Triangles in place of a trimmed face: cells as of nurbs_mesh_surface() inside, and between these and
-    /// the border a constrained Delaunay triangulation.
+    /// A triangle mesh of a trimmed face, within proven distances.
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_face(
@@ -5783,8 +5735,7 @@ extern "C" {
         options: *const nurbs_mesh_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// nurbs_mesh_face() as a call that can be watched and ended; the limit of work is as for
-    /// nurbs_mesh_surface_with().
+    /// nurbs_mesh_face() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_face_with(
@@ -5793,7 +5744,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// Triangles in place of all faces of a model, as of nurbs_mesh_face().
+    /// A triangle mesh of all faces of a model, within proven distances.
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_model(
@@ -5801,8 +5752,7 @@ extern "C" {
         options: *const nurbs_mesh_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// nurbs_mesh_model() as a call that can be watched and ended; the limit of work is as for
-    /// nurbs_mesh_surface_with().
+    /// nurbs_mesh_model() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_model_with(
@@ -5811,9 +5761,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// Meshes of a whole surface for several distances, as programs that draw want them: each is as
-    /// nurbs_mesh_surface() makes it with `chord` = chords\[i\] and `relative_chord` = 0, bit for bit, unless
-    /// it comes to a limit of work.
+    /// Meshes of a whole surface for several distances, as levels of detail for drawing.
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_surface_levels(
@@ -5823,7 +5771,7 @@ extern "C" {
         options: *const nurbs_mesh_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// nurbs_mesh_surface_levels() as a call that can be watched and ended.
+    /// nurbs_mesh_surface_levels() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_surface_levels_with(
@@ -5834,7 +5782,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// Meshes of a trimmed face for several distances: nurbs_mesh_surface_levels() of nurbs_mesh_face().
+    /// Meshes of a trimmed face for several distances, as nurbs_mesh_surface_levels().
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_face_levels(
@@ -5844,8 +5792,7 @@ extern "C" {
         options: *const nurbs_mesh_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// nurbs_mesh_face_levels() as a call that can be watched and ended; the limit of work is as for
-    /// nurbs_mesh_surface_levels_with().
+    /// nurbs_mesh_face_levels() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_face_levels_with(
@@ -5856,8 +5803,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// Meshes of all faces of a model for several distances: nurbs_mesh_surface_levels() of
-    /// nurbs_mesh_model().
+    /// Meshes of all faces of a model for several distances, as nurbs_mesh_surface_levels().
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_model_levels(
@@ -5867,8 +5813,7 @@ extern "C" {
         options: *const nurbs_mesh_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// nurbs_mesh_model_levels() as a call that can be watched and ended; the limit of work is as for
-    /// nurbs_mesh_surface_levels_with().
+    /// nurbs_mesh_model_levels() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_model_levels_with(
@@ -5879,7 +5824,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// Hexahedra in place of a volume in space, on a grid of lines along its axes.
+    /// A mesh of hexahedra of a volume in space, on a grid of lines along its axes.
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_volume(
@@ -5888,7 +5833,7 @@ extern "C" {
         limit: i64,
         out: *mut *mut nurbs_mesh,
     ) -> nurbs_status;
-    /// nurbs_mesh_volume() as a call that can be watched and ended.
+    /// nurbs_mesh_volume() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_volume_with(
@@ -5904,7 +5849,7 @@ extern "C" {
     ///
     /// May be null: `mesh`.
     pub fn nurbs_mesh_destroy(mesh: *mut nurbs_mesh);
-    /// How much a mesh holds.
+    /// The numbers of points, vertices, triangles, faces and edges of a mesh.
     ///
     /// May be null: `points`, `vertices`, `triangles`, `faces`, `edges`, `edge_points`.
     pub fn nurbs_mesh_counts(
@@ -5916,7 +5861,7 @@ extern "C" {
         edges: *mut i64,
         edge_points: *mut i64,
     ) -> nurbs_status;
-    /// How far a mesh and its shape are from each other: the most of all faces.
+    /// How far a mesh and its shape are from each other: the largest distances of all faces.
     ///
     /// May be null: `from_shape`, `from_mesh`, `reached`.
     pub fn nurbs_mesh_bound(
@@ -5934,7 +5879,7 @@ extern "C" {
         points: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_mesh_points() in single precision, each number rounded once to the nearest float.
+    /// nurbs_mesh_points() in single precision.
     ///
     /// May be null: `points`, `count`.
     pub fn nurbs_mesh_points_f32(
@@ -5943,7 +5888,7 @@ extern "C" {
         points: *mut f32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// The vertices of a mesh, those of each face one after the other.
+    /// The vertices of a mesh, face by face.
     ///
     /// May be null: `own_points`, `params`, `normals`, `count`.
     pub fn nurbs_mesh_vertices(
@@ -5954,8 +5899,7 @@ extern "C" {
         normals: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// The vertices of a mesh as programs that draw want them, in single precision: with their points in
-    /// place of numbers of points.
+    /// The vertices of a mesh in single precision, with their points instead of indices, as for drawing.
     ///
     /// May be null: `points`, `params`, `normals`, `count`.
     pub fn nurbs_mesh_vertices_f32(
@@ -5966,7 +5910,7 @@ extern "C" {
         normals: *mut f32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// The triangles of a mesh, those of each face one after the other.
+    /// The triangles of a mesh, face by face.
     ///
     /// May be null: `corners`, `count`.
     pub fn nurbs_mesh_triangles(
@@ -5976,7 +5920,7 @@ extern "C" {
         corners: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_mesh_triangles() in 32 bits.
+    /// nurbs_mesh_triangles() with indices of 32 bits.
     ///
     /// May be null: `corners`, `count`.
     pub fn nurbs_mesh_triangles_i32(
@@ -5986,8 +5930,7 @@ extern "C" {
         corners: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// The quads of a mesh: pairs of triangles that are all of a cell of the domain, which has no vertex of
-    /// another cell on its sides.
+    /// The quads of a mesh: cells of the domain that are divided into exactly two triangles.
     ///
     /// May be null: `corners`, `own_triangles`, `count`.
     pub fn nurbs_mesh_quads(
@@ -5998,7 +5941,7 @@ extern "C" {
         own_triangles: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// What of a mesh stands for which face.
+    /// Which vertices and triangles of a mesh belong to which face, and how near these are.
     ///
     /// May be null: `first_vertices`, `vertex_counts`, `first_triangles`, `triangle_counts`, `from_shape`,
     /// `from_mesh`, `reaches`, `count`.
@@ -6027,8 +5970,7 @@ extern "C" {
         reaches: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// The vertices of the polylines that stand for edges in a mesh: each from the start of its edge to the
-    /// end.
+    /// The vertices of the polylines for edges in a mesh, each from the start of its edge to the end.
     ///
     /// May be null: `own_points`, `count`.
     pub fn nurbs_mesh_edge_points(
@@ -6049,8 +5991,7 @@ extern "C" {
         signs: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// A spline as Bezier cells, exactly: its polynomial (rational) pieces, with the control points that
-    /// neighbours have in common.
+    /// A spline as Bezier cells, exactly: its polynomial (rational) pieces, which share control points.
     ///
     /// May be null: `own_points`, `kind`, `points`, `count`.
     pub fn nurbs_bezier_cells(
@@ -6061,8 +6002,7 @@ extern "C" {
         points: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// The control points of nurbs_bezier_cells(), last axis fastest: those of nurbs_bezier_pieces() bit for
-    /// bit, each once; those of a seam as the first cell has them.
+    /// The control points of nurbs_bezier_cells(), last axis fastest.
     ///
     /// May be null: `points`, `weights`, `count`.
     pub fn nurbs_bezier_cell_points(
@@ -6075,7 +6015,7 @@ extern "C" {
     // --- Writing files
     /// Fills an options struct with the defaults.
     pub fn nurbs_write_options_init(options: *mut nurbs_write_options, struct_size: i64) -> nurbs_status;
-    /// A model as the contents of a file.
+    /// The contents of a file that holds a model.
     ///
     /// May be null: `options`, `bytes`, `length`.
     pub fn nurbs_model_write(
@@ -6086,7 +6026,7 @@ extern "C" {
         bytes: *mut c_void,
         length: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_model_write() as a call that can be watched and ended.
+    /// nurbs_model_write() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `bytes`, `length`, `call`.
     pub fn nurbs_model_write_with(
@@ -6107,7 +6047,7 @@ extern "C" {
         format: i32,
         options: *const nurbs_write_options,
     ) -> nurbs_status;
-    /// nurbs_model_write_file() as a call that can be watched and ended.
+    /// nurbs_model_write_file() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_model_write_file_with(
@@ -6117,8 +6057,7 @@ extern "C" {
         options: *const nurbs_write_options,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The curves and surfaces of a list as the contents of a file: as nurbs_model_write() writes those that
-    /// belong to no face, with their names.
+    /// The contents of a file that holds the curves and surfaces of a list.
     ///
     /// May be null: `options`, `bytes`, `length`.
     pub fn nurbs_list_write(
@@ -6129,7 +6068,7 @@ extern "C" {
         bytes: *mut c_void,
         length: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_list_write() as a call that can be watched and ended.
+    /// nurbs_list_write() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `bytes`, `length`, `call`.
     pub fn nurbs_list_write_with(
@@ -6150,7 +6089,7 @@ extern "C" {
         format: i32,
         options: *const nurbs_write_options,
     ) -> nurbs_status;
-    /// nurbs_list_write_file() as a call that can be watched and ended.
+    /// nurbs_list_write_file() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_list_write_file_with(
@@ -6160,7 +6099,7 @@ extern "C" {
         options: *const nurbs_write_options,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// A mesh as the contents of a file: its triangles with what the model says of them.
+    /// The contents of a file that holds a mesh: its triangles, with what the model says about them.
     ///
     /// May be null: `options`, `bytes`, `length`.
     pub fn nurbs_mesh_write(
@@ -6171,7 +6110,7 @@ extern "C" {
         bytes: *mut c_void,
         length: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_mesh_write() as a call that can be watched and ended.
+    /// nurbs_mesh_write() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `bytes`, `length`, `call`.
     pub fn nurbs_mesh_write_with(
@@ -6183,8 +6122,7 @@ extern "C" {
         length: *mut i64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Writes a mesh to a file, as nurbs_model_write_file() does, block by block: at no time is all of the
-    /// file in memory.
+    /// Writes a mesh to a file, as nurbs_model_write_file() does.
     ///
     /// May be null: `options`.
     pub fn nurbs_mesh_write_file(
@@ -6193,7 +6131,7 @@ extern "C" {
         format: i32,
         options: *const nurbs_write_options,
     ) -> nurbs_status;
-    /// nurbs_mesh_write_file() as a call that can be watched and ended.
+    /// nurbs_mesh_write_file() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_mesh_write_file_with(

@@ -62,7 +62,7 @@ const std::vector<double> &FeetCell::wide() {
     return wide_;
 }
 
-// Bernstein functions beyond [0, 1] by x have magnitudes whose sum is at most (1 + 2 x)^degree.
+// At a distance x outside of [0, 1] the sum of the magnitudes of the Bernstein functions is (1 + 2 x)^degree.
 double FeetCell::amplified() const noexcept {
     double factor = 1;
     for (size_t k = 0; k < 2; ++k) {

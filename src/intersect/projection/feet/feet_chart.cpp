@@ -11,14 +11,14 @@ namespace nrb::intersect {
 
 namespace {
 
-// As for CrossChart.
+// As in CrossChart.
 constexpr double least_determinant = 1e-11, most_rho = 0.6, least_digits = 0x1p-4;
 
 std::array<size_t, 2> others_of(size_t k) noexcept {
     return {k == 0 ? size_t{1} : 0, k <= 1 ? size_t{2} : 1};
 }
 
-// The null vector of F'.
+// The null vector of F': the cross product of its rows.
 FeetPlace null_vector(const FeetSlopes &s) noexcept {
     return {s[0][1] * s[1][2] - s[0][2] * s[1][1], s[0][2] * s[1][0] - s[0][0] * s[1][2],
             s[0][0] * s[1][1] - s[0][1] * s[1][0]};
@@ -168,7 +168,8 @@ bool FeetChart::set_rows(const FeetSlopes &slopes) noexcept {
     return std::isfinite(rows_[i][0] + rows_[i][1] + rows_[j][0] + rows_[j][1]);
 }
 
-// Row i of M F, M F'_k and I - M F'; false: M F is nowhere 0.
+// Bounds row i of M F, of its derivative by coordinate k, and of I - M F'; false: that row of M F has no
+// zero.
 bool FeetChart::set_row(size_t i, FeetNets &nets) {
     const auto [a, b] = rows_[i];
     const std::vector<double> &net = nets.combined(a, b);
@@ -271,7 +272,7 @@ FeetPlace FeetChart::largest_step(const std::array<double, 2> &bound) const noex
     return step;
 }
 
-// What is bent by two axes together is so by the longer one.
+// A mixed second derivative counts for both of its axes; the factor sqrt(length) then prefers the longer one.
 size_t FeetChart::bent_axis(FeetNets &nets, const FeetPlace &lengths) const {
     constexpr double little = 0.05;
 
@@ -318,7 +319,7 @@ FeetBox::Value FeetBox::at(const FeetPlace &z) const noexcept {
     return result;
 }
 
-// Normals are of tangents T_k, which do not vanish at poles.
+// The normal is that of the tangents T_k, which do not vanish at poles, unlike S_u or S_v.
 FeetBox::Contact FeetBox::contact_at(const FeetPlace &z) const noexcept {
     Contact contact{};
     const FeetNet &net = patch->net(), &of_curve = span->net();

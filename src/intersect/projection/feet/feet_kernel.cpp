@@ -21,7 +21,7 @@ HWY_INLINE Values product_of_four(const Values *a, const Values *b) {
     return sum;
 }
 
-// To the largest magnitude so far, and to the sum of all, which tells of a NaN.
+// Updates the largest magnitude and the sum of all magnitudes; the sum shows whether there was a NaN.
 HWY_INLINE void add_value(Values x, Values &most, Values &sum) {
     const auto size = hn::Abs(x);
     most = hn::Max(most, size);
@@ -33,7 +33,7 @@ LargestOfFeet feet_samples(const SampledFeet &feet, const CubicSamples &samples,
                            const std::array<std::array<double, 3>, 4> &space, double *work) {
     const Vec8 d;
     const size_t count = samples.count();
-    Values most[4], sums[4]; // of F_0, F_1, gaps and distances
+    Values most[4], sums[4]; // for F_0, F_1, the gap and the distance
     for (int k = 0; k < 4; ++k) {
         most[k] = sums[k] = hn::Zero(d);
     }

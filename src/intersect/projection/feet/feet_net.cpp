@@ -14,9 +14,9 @@ namespace nrb::intersect {
 namespace {
 
 constexpr size_t most_width = 8;
-constexpr int most_divisions = 4; // of one side
+constexpr int most_divisions = 4; // by the distance from one side
 
-// Components [first, first + count) of the records of a piece with positive weights.
+// Components [first, first + count) of the homogeneous control points of a piece with positive weights.
 RoundedPolynomial part_of(const pieces::BezierPiece &piece, int first, int count) {
     RoundedPolynomial part{piece.shape(), {}, {}};
     part.shape.width = count;
@@ -35,7 +35,7 @@ bool is_constant(const RoundedPolynomial &weight) noexcept {
     return std::ranges::all_of(weight.values, [&](double w) { return w == weight.values.front(); });
 }
 
-// False: it vanishes altogether.
+// Divides by the distances from all sides along which it vanishes; false: it vanishes identically.
 bool divide_sides(RoundedPolynomial &tangent) {
     for (int axis = 1; axis < max_axes; ++axis) {
         for (const bool upper : {false, true}) {
@@ -51,7 +51,7 @@ struct Largest {
     double value = 0, error = 0;
 };
 
-// The norm of the components of a coefficient.
+// The largest norm of a coefficient, and a bound of its error.
 Largest largest_of(const RoundedPolynomial &a) noexcept {
     const auto wide = static_cast<size_t>(a.shape.width);
     Largest most;
@@ -66,7 +66,7 @@ Largest largest_of(const RoundedPolynomial &a) noexcept {
     return most;
 }
 
-// A . T_k and w T_k of both axes, of common degrees.
+// A . T_k and w T_k of both axes, raised to common degrees.
 std::array<RoundedPolynomial, 4> parts_of(const CrossPiece &piece,
                                           const std::array<RoundedPolynomial, 2> &tangents) {
     const RoundedPolynomial points = part_of(piece.piece, 0, 3), weight = part_of(piece.piece, 3, 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The equations of feet, by what pieces of a surface and of a curve have in them.
+// The equations of orthogonal feet in Bernstein form, split into the factors that a piece of the surface and
+// a piece of the curve contribute.
 #pragma once
 
 #include "bernstein/rounded_polynomial.h"
@@ -9,43 +10,44 @@
 
 namespace nrb::intersect {
 
-// With S = A / w and C = B / W, a foot (u, v, t) has (S - C) . S_k = 0 for both axes k; S_k is T_k / w^2 with
-// T_k = w A_k - w_k A, so that
-//     F_k = W (A . T_k) - B . (w T_k) = 0:
-// products of four polynomials of (u, v) and four of t. Where T_k vanishes along a side of a piece, at a pole or where control
-// points are one, it is divided by the place, as often as that is so: what is left of it is still along the tangent there, and
-// places of the side are feet only if the tangent plane says so.
+// Let S(u, v) = A / w be the surface and C(t) = B / W the curve. At a foot (S - C) . S_k = 0 for both axes k
+// of S. With S_k = T_k / w^2, T_k = w A_k - w_k A, this is
+//     F_k = W (A . T_k) - B . (w T_k) = 0,
+// the scalar product of four polynomials in (u, v), A . T_k and w T_k, with four in t, W and -B. Where T_k
+// vanishes along a side of a piece, at a pole or where control points coincide, it is divided by the distance
+// from that side, as often as it vanishes: the quotient still has the direction of the tangent there, so that
+// points of the side are feet only if S - C is orthogonal to the tangent plane.
 
-// Coefficients [degrees[0] + 1][degrees[1] + 1][width] of a piece. Of a surface width is 8: A . T_0, w T_0, A . T_1, w T_1; of a
-// curve it is 4: W, -B, and degrees[1] is 0.
+// The factors of one piece: Bernstein coefficients [degrees[0] + 1][degrees[1] + 1][width]. Of a surface the
+// width is 8: A . T_0, w T_0, A . T_1, w T_1. Of a curve it is 4: W, -B, and degrees[1] is 0.
 struct FeetNet {
-    const CrossPiece *piece =
-        nullptr; // of a curve one of lines through it, of which axis 0 is that of the curve
+    // Of a curve, the piece of its distance_lines(), whose axis 0 is that of the curve.
+    const CrossPiece *piece = nullptr;
     std::array<int, 2> degrees{};
     size_t width = 0;
     std::vector<double> values;
-    // Largest magnitudes of the first of four, and of the norms of the other three, and how far they may be off: for each axis of
-    // a surface.
+    // Of each group of four values: the largest magnitude of the first, the largest norm of the other three,
+    // and bounds of their errors. A surface has one group for each axis, a curve has sizes[0] alone.
     struct Size {
         double first = 0, others = 0, first_error = 0, others_error = 0;
     };
     std::array<Size, 2> sizes{};
-    std::array<double, 2> speeds{}; // the largest derivatives of points, by places
+    std::array<double, 2> speeds{}; // bounds of the derivatives of points by places
 
     [[nodiscard]] size_t coefficients() const noexcept { return values.size() / width; }
 };
 
-// Both T_k; none: one of them vanishes altogether.
+// Both T_k, divided as above; none if one of them vanishes identically, to rounding.
 std::optional<std::array<RoundedPolynomial, 2>> tangents_of(const CrossPiece &piece);
 
 std::optional<FeetNet> feet_net_of(const CrossPiece &piece);
-// lines: CrossPiece of lines through the points of the piece.
+// lines: the piece of distance_lines() of the curve along this piece of it.
 FeetNet feet_net_of(const pieces::BezierPiece &curve, const CrossPiece &lines);
 
-// The largest derivative of points by places along an axis of a piece with positive weights.
+// A bound of the derivative of points by places along an axis of a piece with positive weights.
 double largest_speed(const pieces::BezierPiece &piece, size_t axis);
 
-// Values at a place, and derivatives by places along both axes, if they are asked for (not null).
+// The values of a net at a place, and its derivatives by places along both axes unless `slopes` are null.
 void evaluate_net(const std::array<int, 2> &degrees, size_t width, const double *net,
                   const std::array<double, 2> &place, double *value, std::array<double *, 2> slopes) noexcept;
 

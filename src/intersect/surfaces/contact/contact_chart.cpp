@@ -13,13 +13,14 @@ namespace nrb::intersect {
 
 namespace {
 
-// Of a part over the plane: derivatives along e_0, e_1 of the plane and n, by parameters that are these to first order.
+// A part over the plane: the components along e_0, e_1 and n of its derivatives by parameters that, to first
+// order, are the coordinates of the plane.
 struct Graph {
     std::array<std::array<Interval, 2>, 3> first;  // [e_0, e_1, n][parameter]
     std::array<std::array<Interval, 3>, 3> second; // [e_0, e_1, n][00, 01, 11]
 };
 
-// a_ij of ContactChart; none: J is not near enough to 1.
+// Bounds of the a_ij of ContactChart; none: J is too far from the identity.
 std::optional<std::array<Interval, 3>> bends_of(const Graph &graph) noexcept {
     constexpr double most_off = 0.4;
     double off = 0;
@@ -33,7 +34,7 @@ std::optional<std::array<Interval, 3>> bends_of(const Graph &graph) noexcept {
     if (!(off <= most_off)) {
         return std::nullopt;
     }
-    const double wide = off / (1 - off); // of each entry of J^-1 - 1, and of their sums in rows
+    const double wide = off / (1 - off); // bounds the row sums of |J^-1 - 1|, and so each entry
     const std::array<std::array<Interval, 2>, 2> q{
         {{Interval{1, 1} + around(wide), around(wide)}, {around(wide), Interval{1, 1} + around(wide)}}};
     std::array<Interval, 3> result{};
@@ -51,7 +52,7 @@ std::optional<std::array<Interval, 3>> bends_of(const Graph &graph) noexcept {
     return result;
 }
 
-// By the parameters p of places = middle + sum p_j q_j.
+// By the parameters p_j that stand for the place p_0 q_0 + p_1 q_1 from the middle.
 Graph graph_of(const CrossCell &cell, const std::array<Vector3, 3> &axes,
                const std::array<std::array<double, 2>, 2> &q) {
     Graph graph;
@@ -94,7 +95,7 @@ bool ContactChart::set_bends(const CrossCell &a, const CrossCell &b) {
     return bends_[2].lower > 0 || bends_[2].upper < 0;
 }
 
-// In the wide part, by its places.
+// Whether a point is in the wide part of a cell.
 bool ContactChart::is_near(const CrossCell &cell, size_t surface, const ContactPoint &point) const {
     const std::array<double, 2> place =
         solver_.place_in(surface, cell.piece(), point.at.data() + 2 * surface);
@@ -108,7 +109,7 @@ bool ContactChart::is_near(const CrossCell &cell, size_t surface, const ContactP
 }
 
 ContactChart::Verdict ContactChart::look(const CrossCell &a, const CrossCell &b) {
-    constexpr double flat = 0x1p-6, bent = 0x1p-12; // what bends less is rather one surface
+    constexpr double flat = 0x1p-6, bent = 0x1p-12; // surfaces that bend less from each other may be one
     const bool first = a.size() <= b.size();
     const std::optional<CrossPlace> start = solver_.from_middle(first ? a : b, first ? 0 : 1, first ? b : a);
     std::optional<ContactPoint> found = start ? solver_.ridge(*start) : std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t most_curves = 256;
 
-// The branches of one curve.
+// Adds the branches of one curve, with their nodes.
 class Branches {
 public:
     Branches(const pieces::Frame &frame, const CrossSurface &a, const CrossSurface &b, int64_t loop,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves of contact as branches of a meet.
+// Curves of tangential contact as branches of a meet.
 #pragma once
 
 #include "intersect/levels/level_meet.h"
@@ -9,10 +9,11 @@
 
 namespace nrb::intersect {
 
-// Through all contacts. Those through which none is found, or of which it is left open how it goes on, become clusters.
+// Contact curves through all found.contacts. A contact becomes a cluster if no curve through it is found, or
+// if the curve neither closes nor ends at borders, or is not shown to be a contact within the tolerance.
 std::vector<ContactCurve> contact_curves(ContactTracer &tracer, CrossParts &found);
 
-// Cut where parameters do not go on.
+// Adds them as branches of kind touch, cut at seams, where the parameters do not continue.
 void add_branches(const std::vector<ContactCurve> &curves, const pieces::Frame &frame, const CrossSurface &a,
                   const CrossSurface &b, Meet &meet);
 

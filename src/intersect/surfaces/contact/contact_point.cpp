@@ -14,10 +14,10 @@ namespace nrb::intersect {
 namespace {
 
 constexpr int steps_to_a_ridge = 24;
-// What bends less has no ridge: the foot is all that is looked for.
+// A height that bends less has no ridge: ridge() then finds the foot alone.
 constexpr double least_bend = 0x1p-14;
 
-// q . form . q, of three values.
+// p . form . q for a symmetric form (00, 01, 11).
 double form_of(const std::array<double, 3> &form, const std::array<double, 2> &p,
                const std::array<double, 2> &q) noexcept {
     return form[0] * p[0] * q[0] + form[1] * (p[0] * q[1] + p[1] * q[0]) + form[2] * p[1] * q[1];
@@ -111,7 +111,7 @@ std::optional<ContactSolver::Jet> ContactSolver::jet(size_t surface, const doubl
     return jet;
 }
 
-// False: a derivative vanishes.
+// Sets all but `at` from the jets of both surfaces; false: a derivative vanishes.
 bool ContactSolver::set(const Jet &a, const Jet &b, ContactPoint &point) noexcept {
     const Vector3 of_b = cross(b.first[0], b.first[1]);
     const double size = length(of_b), first = length(a.first[0]);

@@ -14,9 +14,9 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double shortest = 0x1p-24, longest = 0x1p-2, first_length = 0x1p-5; // steps
+constexpr double shortest = 0x1p-24, longest = 0x1p-2, first_length = 0x1p-5; // of steps, in the frame
 constexpr size_t places_of_a_curve = 20000;
-// In parts of pieces: what is no farther beyond one is on its side.
+// In lengths of pieces: a coordinate that is no farther from a side of a piece is on it.
 constexpr double on_side = 0x1p-26;
 
 std::array<double, 3> coordinates(const Vector3 &x) noexcept {
@@ -93,7 +93,7 @@ ContactTracer::Break ContactTracer::first_break(const CrossPlace &from, const Cr
     return first;
 }
 
-// To where the first coordinate that reaches a side of its piece does so.
+// Shortens a step so that it ends where the first coordinate reaches a side of its piece.
 bool ContactTracer::stop_at_break(const ContactPoint &from, double way, Step &result) const {
     constexpr int most_tries = 8;
     const Break first = first_break(from.at, result.to.at);
@@ -118,7 +118,8 @@ bool ContactTracer::stop_at_break(const ContactPoint &from, double way, Step &re
     return std::abs(length) <= 1.5 * std::abs(way) && length * way > 0;
 }
 
-// The largest distance from a surface, over the piece that the middle is in; the segment's parameters are moved into that.
+// A bound of the distance of a segment from a surface. Moves its parameters into the range of the piece that
+// the middle is in; infinite if they do not fit.
 double ContactTracer::largest_gap(size_t surface, CrossSegment &segment, const CrossPlace &middle) const {
     static constexpr std::array<double, 4> no_form{};
     const CrossPiece *const piece = solver_.piece_at(surface, middle.data() + 2 * surface);
@@ -173,7 +174,7 @@ bool ContactTracer::fit(const ContactPoint &from, const ContactPoint &to, double
     return segment.deviation <= tolerance_;
 }
 
-// false: the curve is lost, or a step would have to be too short.
+// False: the curve is not found there, or the deviation of the segment is too large.
 bool ContactTracer::step(const ContactPoint &from, double way, Step &result) const {
     const std::optional<ContactPoint> to = next(from, way);
     if (!to) {
@@ -268,7 +269,8 @@ bool ContactTracer::is_contact(const ContactCurve &curve, double change) const {
     return true;
 }
 
-// In space, and in all parameters to within a part of their periods: surfaces may come to one point twice.
+// Compares points in space, and all parameters to within a fraction of their periods, since a surface may
+// pass through one point twice.
 bool ContactTracer::passes(const ContactCurve &curve, const ContactPoint &place) const noexcept {
     constexpr int parts = 32;
     for (const CrossSegment &segment : curve.segments) {

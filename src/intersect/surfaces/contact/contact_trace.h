@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves along which two surfaces touch.
+// Traces curves along which two surfaces touch.
 #pragma once
 
 #include "intersect/surfaces/contact/contact_point.h"
@@ -7,17 +7,16 @@
 
 namespace nrb::intersect {
 
-// Parameters run on beyond domains that close, from each place to the next.
+// Parameters of the places are continuous: they leave the domain where a surface closes.
 struct ContactCurve {
     std::vector<ContactPoint> places;
-    std::vector<CrossSegment> segments; // between them, over parameters of the pieces that they are in
+    std::vector<CrossSegment> segments; // between the places, with parameters in the ranges of their pieces
     bool closed = false;
-    bool ends =
-        true; // whether both ends are where a surface ends; if not it is left open how the curve goes on
+    bool ends = true; // whether both ends are at borders of a surface; if not, the curve was lost
 };
 
-// From a place of contact to both sides, from one side of pieces to the next: segments as long as their distances from both surfaces
-// allow, which are bounded as those of CrossFitter.
+// Marching: from a place of contact in both directions, with segments that end at each side of a piece. They
+// are made as long as their deviations from both surfaces allow, which are bounded as in CrossFitter.
 class ContactTracer {
 public:
     // tolerance: in the frame.
@@ -25,19 +24,20 @@ public:
                   const std::array<int, 2> &degrees_b, double tolerance);
 
     [[nodiscard]] ContactCurve trace(const ContactPoint &start);
-    // Whether |h| is no larger than the tolerance all along, if it changes by no more than change dx^2 / 2 between places where it
-    // and its derivative are 0, as they are in as many places of the curve as that takes.
+    // Whether |h| is within the tolerance all along the curve. change: ContactChart::change(), the largest
+    // second derivative of h along the ridge. Finds as many places with h = 0 as are needed for that.
     [[nodiscard]] bool is_contact(const ContactCurve &curve, double change) const;
     // Whether a place is on a curve.
     [[nodiscard]] bool passes(const ContactCurve &curve, const ContactPoint &place) const noexcept;
 
-    // A segment between places on both surfaces along a curve that runs through them, or against it (way < 0); false: it
-    // is farther from a surface than the tolerance.
+    // A segment between two places, with the tangents `along` there, or opposite ones if way < 0; false: its
+    // deviation is larger than the tolerance.
     [[nodiscard]] bool fit(const ContactPoint &from, const ContactPoint &to, double way,
                            CrossSegment &segment) const;
-    // The first side of a piece that a coordinate reaches on the way from one place to another, by shares of the way.
+    // The first side of a piece that a coordinate reaches on the way from one place to another, at a share of
+    // the way.
     struct Break {
-        size_t coordinate = 4; // none
+        size_t coordinate = 4; // 4: none
         double share = 1, at = 0;
     };
     [[nodiscard]] Break first_break(const CrossPlace &from, const CrossPlace &to) const noexcept;
@@ -55,7 +55,7 @@ private:
     bool step(const ContactPoint &from, double way, Step &result) const;
     [[nodiscard]] std::optional<ContactPoint> next(const ContactPoint &from, double length) const;
     bool stop_at_break(const ContactPoint &from, double way, Step &result) const;
-    // Of coordinate i; NaN: there is none.
+    // The first break of coordinate i between two values; NaN: there is none.
     [[nodiscard]] double break_between(size_t i, double from, double to) const noexcept;
     [[nodiscard]] bool is_border(size_t i, double at) const noexcept;
     [[nodiscard]] bool are_near(const CrossSegment &segment, double t,

@@ -46,7 +46,8 @@ public:
     }
 
 private:
-    // Of control points as they are stored, which are no larger than the centre and the size of both surfaces.
+    // The rounding of stored control points, which are no larger than the centre plus the size of both
+    // surfaces.
     [[nodiscard]] double rounding() const noexcept {
         double largest = frame_.unscaled(2);
         for (const double x : frame_.centre) {
@@ -54,8 +55,9 @@ private:
         }
         return 8 * eps * largest;
     }
-    // Where curves of a chain go on across the seam of a periodic axis, they are moved by periods; what runs along a border
-    // stays in the domain. Ends are where the next segment begins.
+    // Moves segments by periods where the chain crosses the seam of a periodic axis; along other axes, places
+    // are clamped to the domain, as arcs along a border may be beyond it. Each segment begins exactly where
+    // the one before ends.
     void unwrap() {
         std::array<double, 4> shift{};
         for (size_t i = 0; i < segments_.size(); ++i) {
@@ -78,7 +80,7 @@ private:
             close();
         }
     }
-    // The end is the beginning bit for bit, or periods away.
+    // Makes the end of a closed curve equal to its beginning bit for bit, or a whole number of periods away.
     void close() noexcept {
         CrossSegment next = segments_.front(), &last = segments_.back();
         for (size_t c = 0; c < 4; ++c) {
@@ -100,7 +102,8 @@ private:
         const int k = static_cast<int>(axis);
         return std::clamp(at, grid.break_at(k, 0), grid.break_at(k, grid.count(k)));
     }
-    // Of the order of rounding, but for what kinks make of shifted sides, and where surfaces all but touch.
+    // How far joining moves an end. It is of the order of rounding, except next to the shifted sides of boxes
+    // at kinks, and where surfaces nearly touch.
     static double moved_by_joining(const CrossSegment &before, const CrossSegment &after) noexcept {
         double moved = distance(before.space[3].data(), after.space[0].data(), 3);
         for (size_t s = 0; s < 2; ++s) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splines along chains of common arcs.
+// Cubic splines along chains of common arcs.
 #pragma once
 
 #include "intersect/surfaces/cross_chains.h"
@@ -7,15 +7,15 @@
 
 namespace nrb::intersect {
 
-// Cubics with the same knots, whose parameter is about the length in space: in space, and in the parameter domains, where
-// they may run into neighbouring periods.
+// Cubic splines with the same knots, parametrized by about the arc length in space: the curve in space, and
+// those in both parameter domains, which may run into neighbouring periods.
 struct CrossCurve {
     SplinePtr space;
     std::array<SplinePtr, 2> on;
-    double deviation; // of all, in space
+    double deviation; // of all three, in space
 };
 
-// A branch along it, of level 0.
+// A branch of level 0 along a curve.
 MeetBranch branch_along(CrossCurve curve, const std::array<int64_t, 2> &nodes, int64_t loop, BranchKind kind);
 
 CrossCurve cross_curve(const pieces::Frame &frame, const CrossSurface &a, const CrossSurface &b,

@@ -58,7 +58,7 @@ void CrossFitter::set_arc(const CrossArc &arc) {
     }
 }
 
-// Their common point is what is midway between both.
+// The common point is taken midway between the points of both surfaces.
 CrossFitter::Node CrossFitter::node(const CrossPlace &at) const noexcept {
     const CrossBox::Value value = arc_->box.at(at);
     Node node{at,
@@ -72,7 +72,7 @@ CrossFitter::Node CrossFitter::node(const CrossPlace &at) const noexcept {
             x /= speed;
         }
         node.tangent = coordinates((1 / speed) * along);
-    } else { // the curve stands still, or rounding hides where it goes
+    } else { // the tangent vanishes, or rounding hides it
         node.tangent_on = {};
     }
     return node;
@@ -83,8 +83,9 @@ void CrossFitter::fit(const CrossArc &arc, std::vector<CrossSegment> &segments) 
     fit_between(node(arc.ends[0].at), node(arc.ends[1].at), 0, segments);
 }
 
-// As long as an arc of a circle with that chord and these tangents. Where the curve is no longer than what rounding makes of its
-// ends tangents are no measure: legs are no longer than half the way, and coordinate k stays between its ends.
+// The length is about that of a circular arc with this chord and these tangents. Where the curve is hardly
+// longer than the errors of its ends, tangents are unreliable: legs of the control polygon are no longer than
+// half the way, and coordinate k stays between its ends.
 CrossSegment CrossFitter::hermite(const Node &a, const Node &b) const noexcept {
     const double chord = distance(a.point.data(), b.point.data(), 3),
                  cosine = dot(a.tangent.data(), b.tangent.data(), 3);
@@ -118,8 +119,8 @@ CrossSegment CrossFitter::hermite(const Node &a, const Node &b) const noexcept {
     return segment;
 }
 
-// What is beyond the border of a piece by no more than what sides are shifted by, or arcs along it are, is on it: polynomials
-// of the piece are those of the surface there.
+// Moves places beyond the border of a piece onto it, where the polynomials of the piece are those of the
+// surface. They are beyond by no more than sides are shifted, or than arcs along the border are.
 void CrossFitter::stay_in_pieces(CrossSegment &segment) const noexcept {
     for (size_t i = 0; i < 4; ++i) {
         const CrossCell &cell = arc_->box.cell(i);
@@ -149,8 +150,9 @@ double CrossFitter::largest_gap(const CrossSegment &segment, size_t surface) {
            cell.least_weight();
 }
 
-// The arc has a zero for each value of coordinate k between those of its ends, in the box: so that no place is farther from it
-// than from all of the box.
+// Limits `off`, the distance of places from the arc, by the box. For each value of coordinate k between those
+// of its ends, the arc has a zero in the box, so that no place is farther from that zero than from the
+// farther side of the box. False: places may be outside that range of k, or outside the wide parts.
 bool CrossFitter::limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept {
     const CrossBox &box = arc_->box;
     const size_t axis = box.chart.axis();

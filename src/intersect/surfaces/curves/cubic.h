@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places on the cubics of segments.
+// Evaluates the cubics of segments.
 #pragma once
 
 #include "numeric/vector3.h"
@@ -8,7 +8,7 @@
 
 namespace nrb::intersect {
 
-// A cubic of control points.
+// A cubic, by reference to its four Bezier points.
 template <class Points>
 class Cubic {
 public:

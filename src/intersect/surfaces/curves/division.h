@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How cubics that are too far off their curves are divided.
+// Into how many parts cubics that deviate too much from their curves are divided.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@ struct Division {
     int depth; // in halvings
 };
 
-// Errors fall with the fourth power of the length. Without a proof nothing is known of them.
+// The errors of cubics fall with the fourth power of the length. A deviation that is infinite, because
+// nothing is proven, says nothing of them: then there are two parts.
 inline Division division_for(double deviation, double tolerance) noexcept {
     constexpr int most = 16;
     const double wanted = std::ceil(1.05 * std::sqrt(std::sqrt(deviation / tolerance)));
@@ -23,8 +24,8 @@ inline Division division_for(double deviation, double tolerance) noexcept {
     return {parts, parts > 4 ? 3 : parts > 2 ? 2 : 1};
 }
 
-// Calls fit(from, to) for the parts from a to b; node(share) is what is between them, none where it is not found: then a part is
-// longer.
+// Calls fit(from, to) for the parts from a to b, one after the other. node(share) is the node at a share of
+// the way; where it finds none, a part is longer.
 template <class Node, class Between, class Fit>
 void for_each_part(const Node &a, const Node &b, int parts, Between &&node, Fit &&fit) {
     Node from = a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where segments of curves on two surfaces come to a seam.
+// Cuts sequences of segments of curves on two surfaces at seams.
 #pragma once
 
 #include "intersect/surfaces/cross_spot.h"
@@ -9,11 +9,12 @@
 
 namespace nrb::intersect {
 
-// Whether parameters do not go on between segments, as an axis closes that is not periodic.
+// Whether parameters jump between segments, at the seam of an axis that closes but is not periodic.
 bool is_seam(const CrossSurface &a, const CrossSurface &b, const CrossSegment &before,
              const CrossSegment &after) noexcept;
 
-// What is between seams; of a closed curve from one of them on, if there is any.
+// The sequences of segments between seams. Those of a closed curve are rotated to begin at a seam, if there
+// is any.
 std::vector<std::vector<CrossSegment>> parts_between_seams(const CrossSurface &a, const CrossSurface &b,
                                                            std::vector<CrossSegment> segments, bool closed);
 

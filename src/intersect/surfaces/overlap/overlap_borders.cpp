@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    // False: the surface jumps inside.
+    // False: the surface has a jump inside.
     bool add_sides(size_t surface) {
         const pieces::PieceGrid &grid = ground_.grid(surface);
         const SurfaceBorders &borders = ground_.borders(surface);
@@ -127,7 +127,7 @@ private:
                std::ranges::all_of(run.ends, [&](CrossPlace &end) { return set_end(side, end); });
     }
 
-    // What ends where the side closes and what begins there are one.
+    // Joins the run that ends where the side closes with the one that begins there.
     bool join_over_seam(const OverlapSide &side, size_t first) {
         std::vector<OverlapRun> &runs = found_.runs;
         if (!side.closes || runs.size() < first + 2) {
@@ -151,11 +151,12 @@ private:
         return true;
     }
 
-    // In space, a parameter from a value.
+    // How far in space a change of parameter k leads, to first order.
     [[nodiscard]] static double far(const OverlapGround::Point &at, size_t k, double by) noexcept {
         return std::abs(by) * length(at.slope[k]);
     }
-    // A corner of the side, or a place on a side of the other surface; false: neither.
+    // Moves the end of a run to a corner of its side, or to a side of the other surface; false: it is near
+    // neither.
     bool set_end(const OverlapSide &side, CrossPlace &end) const {
         const size_t own = side.surface, other = 1 - own;
         const std::optional<OverlapGround::Point> here = ground_.point(own, &end[2 * own]),
@@ -180,7 +181,7 @@ private:
         snap(other, *there, end);
         return true;
     }
-    // To the nearest side of the other surface that does not run along this one.
+    // Moves an end to the nearest side of the other surface that crosses this side; false: none is near.
     bool cross_side(const OverlapSide &side, const OverlapGround::Point &here,
                     const OverlapGround::Point &there, CrossPlace &end) const {
         constexpr double least_sine = 1e-3;
@@ -218,7 +219,7 @@ private:
         }
         return gap <= near_;
     }
-    // What is all but on a side is on it.
+    // Moves an end that is almost on a side of the surface onto it.
     void snap(size_t surface, const OverlapGround::Point &there, CrossPlace &end) const {
         for (const OverlapSide &other : found_.sides) {
             if (other.surface == surface &&

@@ -13,9 +13,9 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double least_cosine = 0.99; // of normals of surfaces that are one
+constexpr double least_cosine = 0.99; // between the normals of surfaces that overlap
 
-// A part of a run between nodes.
+// The part of a run between two nodes next to each other on it, or all of a closed run.
 struct Part {
     size_t run = 0;
     std::array<CrossPlace, 2> ends{};
@@ -69,7 +69,7 @@ private:
     struct Kept {
         Part part;
         bool forward;
-        const OverlapSide *along; // of the other surface; null: it runs inside of that
+        const OverlapSide *along; // the side of the other surface along which it runs; null: it runs inside
     };
 
     [[nodiscard]] const OverlapSide &side_of(const Part &part) const noexcept {
@@ -98,7 +98,7 @@ private:
         return std::ranges::any_of(
             result_.nodes, [&](const CrossPlace &node) { return ground_.apart(node, at) <= 4 * near_; });
     }
-    // The coordinates of a node next to a place, in the same period.
+    // The coordinates of a node, in the periods in which it is next to a place.
     [[nodiscard]] CrossPlace at_node(size_t node, const CrossPlace &beside) const {
         CrossPlace at = result_.nodes[node];
         for (size_t i = 0; i < 4; ++i) {
@@ -111,7 +111,7 @@ private:
         return at;
     }
 
-    // At the nodes that are on a run.
+    // Divides a run at the nodes that are on it.
     void divide(size_t index) {
         const OverlapRun &run = borders_.runs[index];
         const OverlapSide &side = borders_.sides[run.side];
@@ -151,14 +151,14 @@ private:
                               false});
         }
     }
-    // The first node of a closed run once more.
+    // Adds the first node of a closed run once more, at its end.
     void go_round(const OverlapSide &side, const OverlapRun &run,
                   std::vector<std::pair<double, CrossPlace>> &cuts, std::vector<size_t> &nodes,
                   std::vector<size_t> &order) {
         const size_t first = order.front();
         const double t = cuts[first].first + side.period;
         if (nodes[order.back()] == nodes[first] && order.size() > 1) {
-            return; // which is where the side closes
+            return; // that node is where the side closes: it is on the run at both of its ends
         }
         if (const std::optional<CrossPlace> at = follower_.at(side, run, t)) {
             order.push_back(cuts.size());
@@ -168,7 +168,7 @@ private:
             open_ = true;
         }
     }
-    // Where a node is on a run.
+    // The place of a run with the free parameter t, if the node is there.
     [[nodiscard]] std::optional<CrossPlace> is_on(const OverlapSide &side, const OverlapRun &run, size_t node,
                                                   double t) const {
         const double first = run.ends[0][side.free()], last = run.ends[1][side.free()],
@@ -180,12 +180,13 @@ private:
         return at && ground_.apart(result_.nodes[node], *at) <= 2 * near_ ? at : std::nullopt;
     }
 
-    // Which way a side runs around a region there; none: the surfaces are not tangent, or it is not told.
+    // How a side would bound a region.
     struct Sense {
-        bool forward;
-        Vector3 inside; // of its own surface, and the way along the side
-        Vector3 along, normal;
+        bool forward;          // whether the region is on its left in the domain of the first surface
+        Vector3 inside;        // from the side into its own surface
+        Vector3 along, normal; // along the side; of the first surface
     };
+    // None: the surfaces are not tangent there, or a derivative is not known.
     [[nodiscard]] std::optional<Sense> sense_at(const OverlapSide &side, const CrossPlace &at) const {
         const std::array<std::optional<OverlapGround::Point>, 2> points{ground_.point(0, at.data()),
                                                                         ground_.point(1, at.data() + 2)};
@@ -204,7 +205,7 @@ private:
                      of_a};
     }
 
-    // False: parts of both surfaces that run along each other do not end in the same nodes.
+    // False: sides of both surfaces run along each other, but their parts do not end in the same nodes.
     bool keep_edges() {
         if (open_) {
             return false;
@@ -254,7 +255,7 @@ private:
             result_.loose.push_back(hull_of(places[i], places[i + 1]));
         }
     }
-    // Whether a place is on a part of the other surface's border.
+    // Whether a place of a border is on this part of a border of the other surface.
     [[nodiscard]] bool runs_along(const CrossPlace &at, const Part &part) const {
         const OverlapSide &side = side_of(part);
         const auto point = ground_.point(side.surface, &at[2 * side.surface]);
@@ -282,7 +283,8 @@ private:
         return (dot(left, a.inside) > 0) == (dot(left, b.inside) > 0);
     }
 
-    // Edges that lead nowhere bound nothing.
+    // Removes edges that begin where no edge ends, or end where none begins, as long as there are any: they
+    // bound nothing.
     void prune() {
         for (bool any = true; any;) {
             any = false;
@@ -322,9 +324,9 @@ private:
     const OverlapBorders &borders_;
     OverlapFollower follower_;
     double near_;
-    bool open_ = false; // whether a run is not told
+    bool open_ = false; // whether a run could not be divided
     std::vector<Part> parts_;
-    std::vector<Kept> kept_; // of edges
+    std::vector<Kept> kept_; // in the order of the edges
     OverlapEdges result_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The boundary of regions in which two surfaces are one, edge by edge.
+// The edges that bound the overlaps of two surfaces: regions in which they coincide within the tolerance.
 #pragma once
 
 #include "intersect/surfaces/contact/contact_trace.h"
@@ -7,9 +7,9 @@
 
 namespace nrb::intersect {
 
-// Along it the region is on the left in the domain of the first surface.
+// An edge has the region on its left in the domain of the first surface.
 struct OverlapEdge {
-    std::array<size_t, 2> nodes{}; // of an edge that does not close
+    std::array<size_t, 2> nodes{}; // of an edge that is not closed
     bool closed = false;
     CrossPlace middle{};
     std::vector<CrossSegment> segments;
@@ -18,12 +18,14 @@ struct OverlapEdge {
 struct OverlapEdges {
     std::vector<CrossPlace> nodes;
     std::vector<OverlapEdge> edges;
-    // Where borders are near the other surface, but bound no region: ranges of parameters, which may be periods away.
+    // Ranges of parameters in which borders are near the other surface but bound no region. They may be off
+    // by whole periods.
     std::vector<std::array<Interval, 4>> loose;
 };
 
-// Runs cut where others end, what runs along borders of both once. None: it is not told which parts are edges, or a curve along one
-// is not found. near: in the frame.
+// The edges: runs are cut at the ends of others, and those along borders of both surfaces are taken once.
+// None: it is left open which parts of runs are edges, or the curve along one is not found. near: the
+// tolerance in the frame.
 std::optional<OverlapEdges> overlap_edges(const OverlapGround &ground, const ContactTracer &tracer,
                                           const OverlapBorders &borders, double near);
 

@@ -13,7 +13,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double far_beyond = 1; // places of pieces
+constexpr double far_beyond = 1; // in lengths of pieces
 constexpr int64_t work_of_a_nearest_place = 4000;
 
 } // namespace

@@ -29,8 +29,10 @@ double area_of(const Polygon &polygon) noexcept {
     return area;
 }
 
-// What is crossed on the way up, or along the first axis, with the sign of what is on its left there. Polygons around
-// axes that close have both ends.
+// The crossings of a polygon with the ray from a place along the second axis (up), or along the first: 1 for
+// each that has the place on its left, -1 for each that has it on its right. closes: whether the last vertex
+// is joined to the first; the polygon of a loop around an axis that closes is open instead, and has a vertex
+// at both ends.
 int crossings_of(const Polygon &polygon, const Place2 &at, bool up, bool closes) noexcept {
     const size_t x = up ? 1 : 0, y = 1 - x;
     int turns = 0;
@@ -61,7 +63,7 @@ public:
         }
         find_loops();
         if (loops_.empty()) {
-            return OverlapRegions{{OverlapRegion{}}, true}; // all of a surface
+            return OverlapRegions{{OverlapRegion{}}, true}; // the whole surface
         }
         return make_regions() ? std::optional(OverlapRegions{std::move(regions_), far_inside_})
                               : std::nullopt;
@@ -71,11 +73,11 @@ private:
     struct Loop {
         OverlapLoop edges;
         Polygon polygon;
-        std::array<int, 2> turns{}; // around axes that close
+        std::array<int, 2> turns{}; // how often it goes around each axis that closes
         double area = 0;
     };
 
-    // Which edge follows which.
+    // Finds the edge that follows each edge; false: at some node this is left open.
     bool link() {
         const size_t n = edges_.edges.size();
         next_.assign(n, none);
@@ -101,7 +103,8 @@ private:
         }
         return std::ranges::find(next_, none) == next_.end();
     }
-    // The region is between an edge that leaves and, anticlockwise, the next one that arrives.
+    // At a node, the region lies between an edge that leaves and the next one, anticlockwise, that arrives.
+    // So an edge that arrives is followed by the one that leaves next to it, clockwise.
     bool link(const std::vector<size_t> &in, std::vector<size_t> out) {
         for (const size_t from : in) {
             const double back = angle_at(from, true);
@@ -124,7 +127,8 @@ private:
         }
         return true;
     }
-    // Of the way from the node.
+    // The direction in which an edge leaves its first node, or that in which it is seen from its last one
+    // (end).
     [[nodiscard]] double angle_at(size_t edge, bool end) const noexcept {
         const std::vector<CrossSegment> &segments = edges_.edges[edge].segments;
         const std::array<Place2, 4> &cubic = (end ? segments.back() : segments.front()).on[0];
@@ -153,7 +157,7 @@ private:
             }
         }
     }
-    // Parameters run on where the surface closes.
+    // A place moved by whole periods next to the last one, where the surface closes.
     [[nodiscard]] Place2 beside(const Place2 &at, const Place2 &last) const noexcept {
         Place2 moved = at;
         for (size_t k = 0; k < 2; ++k) {
@@ -204,7 +208,7 @@ private:
         for (const Loop *loop : outer) {
             add_to(regions_.emplace_back(), *loop);
         }
-        size_t rest = none; // all of a surface without borders, but for holes
+        size_t rest = none; // the region that is all of a surface without borders, except for holes
         for (const Loop *loop : holes) {
             const size_t in = region_around(*loop, outer, strips);
             if (in != none) {
@@ -223,7 +227,7 @@ private:
         }
         return true;
     }
-    // The smallest one.
+    // The smallest region that contains a hole.
     [[nodiscard]] size_t region_around(const Loop &hole, const std::vector<const Loop *> &outer,
                                        size_t strips) const {
         size_t best = none;
@@ -251,7 +255,8 @@ private:
         }
         return false;
     }
-    // Of a surface that closes along one axis: from a loop around it to the next one, or to a pole.
+    // Adds regions of a surface that closes along one axis which are strips around it: from a loop that goes
+    // around once to the next one, or to a pole. False: it is left open what the loops bound.
     bool add_strips(std::vector<const Loop *> around) {
         if (around.empty()) {
             return true;
@@ -308,7 +313,7 @@ int winding_of(const std::vector<std::array<double, 2>> &polygon, const std::arr
 
 bool OverlapRegions::hold(const OverlapGround &ground, const std::array<double, 2> &at) const noexcept {
     const SurfaceBorders &borders = ground.borders(0);
-    const bool up = borders.wraps(0) && !borders.wraps(1); // rays lead along an axis that does not close
+    const bool up = borders.wraps(0) && !borders.wraps(1); // along an axis that does not close, if any
     const std::array<int, 2> most{borders.wraps(0) ? 2 : 0, borders.wraps(1) ? 2 : 0};
     int turns = far_inside ? 1 : 0;
     for (const OverlapRegion &region : list) {

@@ -15,7 +15,7 @@ namespace nrb::intersect {
 namespace {
 
 constexpr std::array<double, 4> cubic_places{0, 0.25, 0.75, 1};
-constexpr double farthest_beyond = 0.9; // places of B
+constexpr double farthest_beyond = 0.9; // in lengths of the piece of B
 constexpr double most_rho = 0.9;
 constexpr int most_samples = 16384;
 constexpr double least_side = 0x1p-30;
@@ -41,7 +41,7 @@ std::array<double, 4> homogeneous(const CrossPiece &piece, const std::array<doub
     return value;
 }
 
-// Of a matrix [4][4], by elimination.
+// The inverse of a matrix [4][4], by elimination without pivoting.
 std::array<double, 16> inverse_of(std::array<double, 16> m) noexcept {
     std::array<double, 16> result{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     for (size_t k = 0; k < 4; ++k) {
@@ -80,7 +80,7 @@ std::array<double, 2> OverlapMap::place_on_a(const std::array<double, 2> &at) co
             part_[1].lower + at[1] * (part_[1].upper - part_[1].lower)};
 }
 
-// The place on B that is beside a point as seen along the normal.
+// Newton's method for the place on B whose point differs from `of` by a multiple of the normal.
 bool OverlapMap::find_foot(const Vector3 &of, const Vector3 &normal, std::array<double, 2> &place) const {
     constexpr int most_steps = 12;
     for (int i = 0; i < most_steps; ++i) {
@@ -162,7 +162,7 @@ std::array<double, 2> OverlapMap::foot(const std::array<double, 2> &at) const {
     return place;
 }
 
-// False: B does not contract in the box.
+// Sets M, n and rho on the box that contains psi and `with`; false: B does not contract there.
 bool OverlapMap::set_chart(const PlaceBox *with) {
     PlaceBox box;
     double beyond = 0;
@@ -207,7 +207,7 @@ bool OverlapMap::set_chart(const PlaceBox *with) {
     return rho_ <= most_rho;
 }
 
-// F = A - B(psi), times both weights.
+// Updates the largest components of F = A - B(psi) times both weights with those at one place of A.
 void OverlapMap::add_gap(const Homogeneous &a, const std::array<double, 2> &foot, Gap &gap) const {
     const Homogeneous b = homogeneous(*b_, foot);
     const Vector3 away{b[3] * a[0] - a[3] * b[0], b[3] * a[1] - a[3] * b[1], b[3] * a[2] - a[3] * b[2]};
@@ -217,7 +217,7 @@ void OverlapMap::add_gap(const Homogeneous &a, const std::array<double, 2> &foot
     count_work(4 * b_->piece.coefficients() + 20);
 }
 
-// In a few places.
+// A lower estimate from a few places, which saves most samplings that would fail.
 OverlapMap::Gap OverlapMap::estimate() const {
     Gap gap;
     for (const double u : {0.13, 0.5, 0.81}) {
@@ -238,7 +238,8 @@ bool OverlapMap::can_be_sampled() const noexcept {
     return (2 * m + 1) * (2 * n + 1) <= most_samples;
 }
 
-// From the largest differences in places; factor: what they may be larger by elsewhere, both weights left out.
+// Bounds from the largest values at samples. factor: by how much values may be larger elsewhere, divided by
+// the weights.
 void OverlapMap::set_bounds(const Gap &gap, double factor, double noise) {
     double across = 0;
     for (size_t i = 0; i < 2; ++i) {
@@ -267,7 +268,7 @@ OverlapMap::Verdict OverlapMap::verdict(const PlaceBox *with) {
 
 namespace {
 
-// Bernstein functions [2 n + 1][degree + 1] at the Chebyshev points of [0, 1], moved to a range.
+// Bernstein functions [2 n + 1][degree + 1] at the Chebyshev points of a range.
 std::vector<double> functions_at_samples(int n, int degree, const Interval &range) {
     const auto order = static_cast<size_t>(degree) + 1;
     std::vector<double> functions(static_cast<size_t>(2 * n + 1) * order);
@@ -279,7 +280,7 @@ std::vector<double> functions_at_samples(int n, int degree, const Interval &rang
     return functions;
 }
 
-// Sums of layers of `inner` values each, and of the values of such a sum.
+// The sum of layers of `inner` values each, times functions.
 void add_layers(const double *functions, size_t order, const double *layers, size_t inner,
                 double *sum) noexcept {
     std::fill_n(sum, inner, 0.0);
@@ -292,7 +293,8 @@ void add_layers(const double *functions, size_t order, const double *layers, siz
 
 } // namespace
 
-// Bounds only grow from one row of samples to the next.
+// The verdict after each row of samples. Bounds only grow from row to row, so that the first open one is
+// final.
 OverlapMap::Verdict OverlapMap::verdict_of_samples(const PlaceBox *with) {
     const auto [m, n] = degrees_of_gap();
     const auto p = static_cast<size_t>(a_->degrees[0]) + 1, q = static_cast<size_t>(a_->degrees[1]) + 1,

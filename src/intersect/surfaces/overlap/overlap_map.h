@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A part of a surface that lies along a piece of another one.
+// Proves that a part of a surface lies along a piece of another surface: an approximate foot map, verified by
+// a Krawczyk contraction.
 #pragma once
 
 #include "intersect/surfaces/cross_cell.h"
@@ -13,11 +14,14 @@ inline bool have_common(const PlaceBox &a, const PlaceBox &b) noexcept {
            b[1].lower <= a[1].upper;
 }
 
-// Over the part of A a polynomial psi of places on B, by interpolation between feet along the normal n of B in the middle of a
-// box that holds psi. Let M be the inverse of the derivative of B across n there, |I - M B'| <= rho < 1 on the box,
-// which is widened. If |M (A - B(psi))| <= g, each place of the part has just one foot along n in the box, no farther from psi than
-// r = g / (1 - rho) (R. Krawczyk 1969), and no farther from it in space than |n . (A - B(psi))| + r (|n . B_s| + |n . B_t|).
-// Times both weights these differences are polynomials of the place on A: of degrees m and n they are at most twice as
+// Over a part of surface A, let psi be a polynomial map to places (s, t) on a piece of B, which interpolates
+// feet along a normal of B. Take a box of places that contains the image of psi. Let n be the normal of B in
+// the middle of the box, M the inverse of the derivative B' there across n (M n = 0), and rho < 1 a bound of
+// |I - M B'| on the box, which is widened. If |M (A - B(psi))| <= g, each place of the part has exactly one
+// foot along n in the box. This foot is no farther from psi than r = g / (1 - rho) (R. Krawczyk 1969), and
+// its distance in space from the point of A is at most |n . (A - B(psi))| + r (|n . B_s| + |n . B_t|).
+//
+// Times both weights, A - B(psi) is a polynomial of the place on A. Of degrees m and n it is at most twice as
 // large as at (2 m + 1) (2 n + 1) Chebyshev points (see CrossFitter).
 class OverlapMap {
 public:
@@ -25,20 +29,28 @@ public:
     explicit OverlapMap(double tolerance);
 
     enum class Verdict {
-        along, // each place has one foot in feet(), no farther than the tolerance, and B holds no other one in `with`
-        beside,   // each place has one foot in feet(), which has nothing in common with `with`
-        touching, // or no more than what is within half of the tolerance from side()
-        open,
+        // Each place of the part has one foot in feet(), no farther than the tolerance, and no other in
+        // `with`.
+        along,
+        // Each place of the part has one foot in feet(), which does not meet `with`.
+        beside,
+        // The same, but feet() may meet what is within half of the tolerance from side() of `with`.
+        touching,
+        open, // none of these is proven
     };
-    // start: a place on B beside the part; with: of B, to be told about, too; null: nothing is beside. B goes on as a polynomial.
+    // Looks for a foot map from the part of A to B, which is continued as a polynomial beyond its piece.
+    // start: a place on B near the part. with: a box of B to which the verdict refers; null: none, and the
+    // verdict is along or open.
     Verdict look(const CrossPiece &a, const PlaceBox &part, const CrossPiece &b,
                  const std::array<double, 2> &start, const PlaceBox *with);
     [[nodiscard]] const PlaceBox &feet() const noexcept { return feet_; }
-    // Whether feet() are beyond one of the sides of a box, but for what is within half of the tolerance from that side().
+    // Whether feet() are beyond one of the sides of a box, except for what is within half of the tolerance
+    // from that side; sets side().
     bool set_side(const PlaceBox &with);
-    // The axis and the end.
+    // The axis and the end of the side.
     [[nodiscard]] const std::array<size_t, 2> &side() const noexcept { return side_; }
-    // How far apart places on a piece may be along an axis that are taken for one, which are near / 32 apart in space.
+    // The distance of places along an axis of a piece that are taken for one: near / 32 in space, with the
+    // derivative in the middle of the piece.
     [[nodiscard]] static double room_on(const CrossPiece &piece, size_t axis, double near) noexcept;
 
 private:
@@ -64,16 +76,16 @@ private:
     double tolerance_;
     const CrossPiece *a_ = nullptr, *b_ = nullptr;
     PlaceBox part_{}, hull_{}, feet_{};
-    double weight_of_a_ = 1;           // the least one
+    double weight_of_a_ = 1;           // the least one in the part
     int degree_ = 1;                   // of psi
     std::array<double, 16> inverse_{}; // of the Bernstein functions at the places of cubic interpolation
     std::array<std::array<double, 16>, 2> psi_{}; // Bernstein coefficients
-    // Of B in the box.
+    // Of B in the box, where places are in lengths of the box.
     std::array<double, 2> lengths_{};
-    std::array<Vector3, 2> rows_{};
+    std::array<Vector3, 2> rows_{}; // of M
     Vector3 normal_;
     double rho_ = 1, weight_of_b_ = 1, beyond_ = 1;
-    std::array<double, 2> slopes_{}; // |n . B'|
+    std::array<double, 2> slopes_{}; // bounds of |n . B_s| and |n . B_t|
     double off_ = 0, height_ = 0;
     std::array<size_t, 2> side_{};
 };

@@ -12,11 +12,11 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr int most_looks = 40000;           // at parts of the domain, and of pairs
-constexpr int most_looks_at_a_pair = 1024;  // that is left open
+constexpr int most_looks = 40000;           // at parts of the domain, and at pairs
+constexpr int most_looks_at_a_pair = 1024;  // at parts of one pair, in covers()
 constexpr int64_t work_of_a_ray = 20;       // for each part of an edge
-constexpr double share_of_tolerance = 0.75; // the rest is for what is beyond sides of pieces by rounding
-constexpr double flat = 1.0 / 64;           // of the domain: one side of the box of a part of an edge
+constexpr double share_of_tolerance = 0.75; // the rest is for feet a little beyond the sides of pieces
+constexpr double flat = 1.0 / 64;           // of the domain: the shorter side of the box of a part of an edge
 constexpr PlaceBox whole{Interval{0, 1}, Interval{0, 1}};
 
 bool holds(const PlaceBox &a, const PlaceBox &b) noexcept {
@@ -28,7 +28,7 @@ double parameter_at(const Interval &range, double place) noexcept {
     return place == 1 ? range.upper : range.lower * (1 - place) + range.upper * place;
 }
 
-// Of a part, the longest in space first.
+// Halves a part along the axis along which it is longer in space.
 template <class Push>
 void halve(const CrossPiece &piece, const PlaceBox &places, Push &&push) {
     const std::array<double, 2> middle{places[0].lower / 2 + places[0].upper / 2,
@@ -57,7 +57,8 @@ OverlapProof::OverlapProof(const OverlapGround &ground, const OverlapEdges &edge
     }
 }
 
-// Boxes of parts that are flat, or small: what is in the box of a long oblique edge may be far from it.
+// Divides an edge until the boxes of its parts are flat or small: places in the box of a long oblique edge
+// may be far from it.
 void OverlapProof::add_edge_parts(const SegmentPlaces &on) {
     EdgePart part{{}, {}, {}};
     double least = infinity;
@@ -99,12 +100,12 @@ std::array<double, 2> OverlapProof::parameters(const Part &part, double u, doubl
     return result;
 }
 
-// A place on the other surface beside an edge that runs through a part.
+// The place on the other surface of an edge that runs through a part, near its middle; none: no edge does.
 std::optional<std::array<double, 2>> OverlapProof::edge_in(const Part &part) const {
     const auto lower = parameters(part, 0, 0), upper = parameters(part, 1, 1),
                middle = parameters(part, 0.5, 0.5);
     PlaceBox box;
-    for (size_t k = 0; k < 2; ++k) { // an edge along its side does not run through it
+    for (size_t k = 0; k < 2; ++k) { // an edge along a side of the part does not run through it
         const double room = std::min(0x1p-30 * ground_.borders(0).period(k), (upper[k] - lower[k]) / 4);
         box[k] = {lower[k] + room, upper[k] - room};
     }
@@ -150,7 +151,9 @@ bool OverlapProof::lies_along(const Part &part, const CrossPiece &other, const s
     return true;
 }
 
-// Feet beyond sides of the piece, by more than a little, are on the pieces there; inside of a region the surface goes on there.
+// Where feet are beyond a side of the piece by more than a little, the part has to lie along the neighbour
+// there, too. A part inside of a region must have that neighbour; where an edge runs through, the surface may
+// end.
 bool OverlapProof::lies_along_neighbours(const Part &part, const CrossPiece &other, bool inside) {
     const PlaceBox feet = map_.feet();
     std::array<std::array<bool, 3>, 2> beyond{}; // lower, this one, upper
@@ -214,7 +217,7 @@ OverlapProof::State OverlapProof::look(const Part &part) {
     if (!foot && !edge) {
         return State::failed;
     }
-    // What is small is as near as its middle.
+    // A small part is as near to the other surface as its middle, or as the edge that runs through it.
     const CrossCell cell(*part.piece, part.places);
     const bool done =
         look_along(part, foot ? *foot : *edge, !edge) == State::done ||
@@ -277,7 +280,7 @@ std::optional<OverlapProof::Part> OverlapProof::part_of(size_t surface, const In
     return part;
 }
 
-// Whether all of a part is in regions.
+// Whether proven parts inside of regions cover a part. They do not overlap, so that their areas add up.
 bool OverlapProof::is_inside(const Part &part) const {
     const auto known = inside_.find(part.piece);
     if (known == inside_.end()) {
@@ -312,12 +315,13 @@ OverlapMap::Verdict OverlapProof::look(const Part &a, const Part &b) {
     return map_.look(*a.piece, a.places, *b.piece, start, &b.places);
 }
 
-// Whether a part has places in regions.
+// Whether a part may have places in regions: an edge runs through it, or its middle is in one.
 bool OverlapProof::meets_region(const Part &part) const {
     return edge_in(part) || regions_.hold(ground_, parameters(part, 0.5, 0.5));
 }
 
-// Whether a place of a region is beside a part: where an edge touches its side.
+// Whether there is a place of a region in a part or near it, at distances of its own size, in case an edge
+// runs along its side.
 bool OverlapProof::is_beside_region(const Part &part) const {
     for (const double u : {-1.0, 0.5, 2.0}) {
         for (const double v : {-1.0, 0.5, 2.0}) {
@@ -335,7 +339,9 @@ bool OverlapProof::is_beside_region(const Part &part) const {
     return false;
 }
 
-// What is along a side of the second part only is in a region, if the first one is, or where the surface ends.
+// Whether the verdict of map_ shows that all common points of two parts are in regions: if the first part
+// lies along the second and has places in a region; or if common points can only be along one side of the
+// second part, and its surface ends there or the first part is in a proven one.
 bool OverlapProof::is_told(const Part &a, const Part &b, OverlapMap::Verdict verdict) {
     if (verdict == OverlapMap::Verdict::beside || verdict == OverlapMap::Verdict::open) {
         return verdict == OverlapMap::Verdict::beside;
@@ -357,7 +363,7 @@ bool OverlapProof::is_told(const Part &a, const Part &b, OverlapMap::Verdict ver
            });
 }
 
-// Whether something that bounds no region may be in it.
+// Whether ranges may contain a place where a border is near the other surface but bounds no region.
 bool OverlapProof::is_loose(const std::array<Interval, 4> &ranges) const {
     return std::ranges::any_of(edges_.loose, [&](const std::array<Interval, 4> &loose) {
         for (size_t i = 0; i < 4; ++i) {
@@ -402,7 +408,7 @@ bool OverlapProof::covers(const std::array<Interval, 4> &ranges) {
             continue;
         }
         if (cell.size() + cell.error() <= near_ / 8 && is_beside_region(first)) {
-            continue; // within the tolerance of it
+            continue; // it is within the tolerance of the region
         }
         if (work_ended() || left_ <= 0 || looks >= most_looks_at_a_pair) {
             return false;

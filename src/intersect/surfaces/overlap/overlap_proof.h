@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Proofs of regions in which two surfaces are one.
+// Proofs that two surfaces coincide within a tolerance in the regions that edges bound.
 #pragma once
 
 #include "intersect/surfaces/cross_search.h"
@@ -10,19 +10,21 @@
 
 namespace nrb::intersect {
 
-// The domain of the first surface is halved into parts: a part is outside of regions, if its middle is and no edge runs through;
-// or it lies along pieces of the other surface (OverlapMap), beyond it where an edge runs through.
+// Subdivision of the domain of the first surface. A part is done if no edge runs through it and its middle is
+// outside of all regions; or if it lies along pieces of the other surface (OverlapMap); or if it is small,
+// and its middle or an edge in it is near the other surface. Where an edge runs through a part, the other
+// surface may end: its pieces are then continued as polynomials.
 class OverlapProof {
 public:
-    // near: within which surfaces are one, in the frame.
+    // near: the tolerance within which the surfaces coincide, in the frame.
     OverlapProof(const OverlapGround &ground, const OverlapEdges &edges, const OverlapRegions &regions,
                  double near);
 
-    // Of all that is on the left of edges.
+    // Whether all that is on the left of edges is proven to lie along the other surface.
     [[nodiscard]] bool prove();
-    // Whether all that two parts have in common is in what has been proven.
+    // Whether all that the parts over these ranges have in common is in proven regions.
     [[nodiscard]] bool covers(const std::array<Interval, 4> &ranges);
-    // Whether the first one lies along the other surface there.
+    // Whether the part of the first surface has places in a region and lies along that of the other one.
     [[nodiscard]] bool is_along(const std::array<Interval, 4> &ranges);
 
 private:
@@ -62,14 +64,14 @@ private:
     double near_;
     OverlapMap map_;
     struct EdgePart {
-        PlaceBox on;                  // parameters of the first surface
-        std::array<double, 2> at;     // a place of it
-        std::array<double, 2> beside; // on the other one
+        PlaceBox on;                  // its box in the parameters of the first surface
+        std::array<double, 2> at;     // its middle there
+        std::array<double, 2> beside; // the same on the other surface
     };
     std::vector<EdgePart> edge_parts_;
     std::map<const CrossPiece *, std::vector<Proven>> proven_;
-    std::map<const CrossPiece *, std::vector<PlaceBox>> inside_; // of regions
-    int left_;
+    std::map<const CrossPiece *, std::vector<PlaceBox>> inside_; // proven parts without edges, in regions
+    int left_; // number of calls of map_.look() that are left
 };
 
 } // namespace nrb::intersect

@@ -10,7 +10,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double share_of_first = 0.75; // of the work
+constexpr double share_of_first = 0.75; // of the work, for the proof that is tried first
 
 template <class T>
 std::array<T, 4> exchanged(const std::array<T, 4> &of_both) noexcept {
@@ -21,7 +21,8 @@ int degrees_of(const Spline &surface) noexcept {
     return surface.axis(0).degree() + surface.axis(1).degree();
 }
 
-// Whether both surfaces are seen from one side at a place of both; none: a plane of tangents is not known there.
+// Whether the normals of both surfaces have the same direction at a place of both; none: a normal is not
+// known there.
 std::optional<bool> are_alike(const OverlapGround &ground, const CrossPlace &at) {
     const auto a = ground.point(0, at.data()), b = ground.point(1, at.data() + 2);
     if (!a || !b) {
@@ -31,7 +32,8 @@ std::optional<bool> are_alike(const OverlapGround &ground, const CrossPlace &at)
     return cosine == 0 ? std::nullopt : std::optional(cosine > 0);
 }
 
-// With regions on the left in the domain of the second surface, which is the first one then.
+// The edges with both surfaces exchanged. Those along which the normals are opposite are reversed, so that
+// regions are again on the left in the domain of the first surface. None: normals are not known.
 std::optional<OverlapEdges> exchanged(const OverlapGround &ground, OverlapEdges edges) {
     std::ranges::for_each(edges.nodes, [](CrossPlace &node) { node = exchanged(node); });
     std::ranges::for_each(edges.loose, [](auto &ranges) { ranges = exchanged(ranges); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Proofs of regions from either surface: what cannot be told along one of them often can along the other one.
+// Proofs of regions over the domain of either surface: what cannot be proven over one often can over the
+// other.
 #pragma once
 
 #include "intersect/surfaces/overlap/overlap_proof.h"
@@ -10,16 +11,16 @@ namespace nrb::intersect {
 
 class OverlapProofs {
 public:
-    // As for OverlapProof.
+    // See OverlapProof.
     OverlapProofs(const OverlapGround &ground, const OverlapEdges &edges, const OverlapRegions &regions,
                   double near);
     ~OverlapProofs();
     OverlapProofs(const OverlapProofs &) = delete;
     OverlapProofs &operator=(const OverlapProofs &) = delete;
 
-    // Of all that is on the left of edges, from one of the surfaces.
+    // Whether all that is on the left of edges is proven, over one of both domains.
     [[nodiscard]] bool prove();
-    // What is in regions. Precondition: they are proven.
+    // Removes from `found` what is in regions. Precondition: prove() returned true.
     void take_out_of(CrossParts &found);
 
 private:
@@ -31,11 +32,12 @@ private:
     const OverlapGround &ground_;
     const OverlapEdges &edges_;
     double near_;
-    // Over a surface of lower degree places are nearer to polynomials.
+    // Whether the proof over the second surface is tried first: over the one of lower degree, foot maps are
+    // nearer to polynomials.
     bool exchanged_first_;
     OverlapProof proof_;
     std::unique_ptr<Exchanged> exchanged_;
-    std::array<std::optional<bool>, 2> proven_{}; // by each; none: it was not tried
+    std::array<std::optional<bool>, 2> proven_{}; // [exchange]: the result of each; none: it was not tried
 };
 
 } // namespace nrb::intersect

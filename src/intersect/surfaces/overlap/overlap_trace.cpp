@@ -11,7 +11,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double shortest_step = 0x1p-24; // of an edge
+constexpr double shortest_step = 0x1p-24; // in lengths of an edge, by its free parameter
 constexpr size_t most_segments_of_an_edge = 20000;
 
 } // namespace
@@ -89,7 +89,7 @@ std::optional<std::vector<CrossSegment>> OverlapTracer::trace(const OverlapSide 
     return segments;
 }
 
-// The bits of a node.
+// Makes the coordinates of an end equal to those of the node, bit for bit, where they are in the same period.
 void OverlapTracer::set_end(const CrossPlace &at, CrossSegment &segment, size_t place) const noexcept {
     for (size_t i = 0; i < 4; ++i) {
         double &x = segment.on[i / 2][place][i % 2];
@@ -99,7 +99,8 @@ void OverlapTracer::set_end(const CrossPlace &at, CrossSegment &segment, size_t 
     }
 }
 
-// To the end, if that is all but as near.
+// The place after a step of this length of the free parameter, or the end if that is little farther, or the
+// first break on the way there.
 std::optional<CrossPlace> OverlapTracer::step(const OverlapSide &side, const CrossPlace &from,
                                               const CrossPlace &end, double length) const {
     const size_t free = side.free();
@@ -110,7 +111,7 @@ std::optional<CrossPlace> OverlapTracer::step(const OverlapSide &side, const Cro
     return to && stop_at_break(side, from, *to) && (*to)[free] > from[free] ? to : std::nullopt;
 }
 
-// At the first break on the way; false: it is not found.
+// Shortens a step so that it ends at the first break on its way; false: that is not found.
 bool OverlapTracer::stop_at_break(const OverlapSide &side, const CrossPlace &from, CrossPlace &to) const {
     const auto [coordinate, share, at] = tracer_.first_break(from, to);
     if (coordinate == 4) {
@@ -124,6 +125,8 @@ bool OverlapTracer::stop_at_break(const OverlapSide &side, const CrossPlace &fro
     return stop_at_line(side, from, coordinate, at, to);
 }
 
+// Newton's method, kept in a bracket by bisection, for the place of the side at which a coordinate of the
+// other surface reaches a line.
 bool OverlapTracer::stop_at_line(const OverlapSide &side, const CrossPlace &from, size_t coordinate,
                                  double line, CrossPlace &to) const {
     constexpr int steps = 12;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves along sides of one surface that run on the other one.
+// Traces curves along the side of one surface where it runs on the other surface.
 #pragma once
 
 #include "intersect/surfaces/contact/contact_trace.h"
@@ -13,8 +13,9 @@ public:
     OverlapTracer(const OverlapGround &ground, const ContactTracer &tracer, double near)
         : ground_(ground), tracer_(tracer), follower_(ground), near_(near) {}
 
-    // From one place of a side to another one, the free parameter rising; along: the side of the other surface that it runs along,
-    // too, or null. None: no curve is found that is near enough.
+    // The segments from one place of a side to another, by rising free parameter. along: the side of the
+    // other surface along which the curve runs as well, or null. None: no curve is found within the
+    // tolerance.
     [[nodiscard]] std::optional<std::vector<CrossSegment>> trace(const OverlapSide &side,
                                                                  const OverlapSide *along,
                                                                  const CrossPlace &start,

@@ -15,7 +15,8 @@ namespace {
 
 using Place2 = std::array<double, 2>;
 
-// Inside of a region, as far from one of its edges as is found.
+// A place inside of a region, found on the normal of one of its edges in the domain, as far from the edge as
+// possible.
 std::optional<CrossPlace> place_inside(const OverlapGround &ground, const OverlapEdges &edges,
                                        const OverlapRegions &regions, const OverlapRegion &region,
                                        double near) {
@@ -51,7 +52,7 @@ std::optional<CrossPlace> place_inside(const OverlapGround &ground, const Overla
     };
     double step = wraps ? 0x1p-5 : 0.5;
     while (step > 0x1p-24) {
-        if (const auto place = place_off(step)) { // which may be on the other side of the region
+        if (const auto place = place_off(step)) { // this may be close to the opposite side of the region
             const auto half = place_off(step / 2);
             return half ? half : place;
         }
@@ -64,7 +65,7 @@ bool has_no_borders(const OverlapBorders &borders) noexcept {
     return borders.sides.empty();
 }
 
-// The branches of one region.
+// Adds the branches and nodes of one region at a time.
 class RegionBranches {
 public:
     RegionBranches(const Overlaps &overlaps, const pieces::Frame &frame, const CrossSurface &a,
@@ -93,7 +94,7 @@ public:
     }
 
 private:
-    // Of a loop from one node, or seam, to the next one.
+    // The part of a loop from one node, or seam, to the next.
     struct Part {
         std::vector<CrossSegment> segments;
         bool after_seam = false;
@@ -129,7 +130,7 @@ private:
         }
         ++loops_;
     }
-    // In one node, or across a seam in two.
+    // Joins two parts in one node, or across a seam in two.
     void join(const Part &before, const Part &after, int64_t &end, int64_t &begin) {
         const CrossPlace from = place_of(before.segments.back(), 3), to = place_of(after.segments.front(), 0);
         if (!after.after_seam && from == to) {
@@ -169,7 +170,8 @@ private:
                          BranchKind::overlap));
         meet_.branches.back().level = level_;
     }
-    // Along axes that close, and to poles, a region goes farther than its boundary.
+    // Adds the node of kind overlap, with the box of the region: that of its boundary, or the whole domain of
+    // a surface that closes or has a pole, since the region may reach beyond the box of its boundary there.
     void add_region(const CrossPlace &at) {
         const int64_t node = add_node(NodeKind::overlap, at);
         MeetNode &own = meet_.nodes[static_cast<size_t>(node)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regions in which two surfaces are one, as a part of their meet.
+// Overlaps, the regions in which two surfaces coincide within the tolerance, as parts of their meet.
 #pragma once
 
 #include "intersect/levels/level_meet.h"
@@ -12,15 +12,16 @@ namespace nrb::intersect {
 struct Overlaps {
     OverlapEdges edges;
     OverlapRegions regions;
-    std::vector<CrossPlace> places; // inside of each
+    std::vector<CrossPlace> places; // one inside of each region
 };
 
-// What is in them is taken out of what was found. None: there are none, or they are not proven, and nothing is changed.
-// tolerance: of the caller.
+// Finds and proves the overlaps, and removes from `found` what is in them. None: there are none, or they are
+// not proven; `found` is unchanged then. tolerance, near: the same tolerance in the unit of the caller, and
+// in the frame.
 std::optional<Overlaps> find_overlaps(const OverlapGround &ground, const ContactTracer &tracer,
                                       double tolerance, double near, CrossParts &found);
 
-// Each on a level of its own, from 1 on.
+// Adds each region to the meet, on a level of its own, from 1 on.
 void add_overlaps(const Overlaps &overlaps, const pieces::Frame &frame, const CrossSurface &a,
                   const CrossSurface &b, Meet &meet);
 

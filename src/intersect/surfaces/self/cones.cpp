@@ -14,10 +14,10 @@ namespace {
 
 using Rays = std::vector<TangentRay>;
 
-// What products of quotients may be at most: less than 1 by far more than their rounding.
+// The largest product of quotients that counts as less than 1: the margin is far more than rounding.
 constexpr double most_product = 0.999;
 
-// Of directions; 0: there are none.
+// The sum of the unit vectors along the rays; 0 if there are none.
 Vector3 mean_of(const Rays &rays) noexcept {
     Vector3 sum;
     for (const TangentRay &ray : rays) {
@@ -26,18 +26,19 @@ Vector3 mean_of(const Rays &rays) noexcept {
     return sum;
 }
 
-// y / x with x > 0.
+// The range of y / x; x > 0.
 Interval quotient(const Interval &y, const Interval &x) noexcept {
     return {y.lower / (y.lower < 0 ? x.lower : x.upper), y.upper / (y.upper < 0 ? x.upper : x.lower)};
 }
 
-// With what rays are off and products are rounded.
+// The range of the scalar product, with the error of the ray and rounding. size: length of the vector.
 Interval along(const TangentRay &ray, const Vector3 &vector, double size) noexcept {
     const double at = dot(ray.way, vector), room = size * (ray.off + 4 * eps * length(ray.way));
     return {at - room, at + room};
 }
 
-// All y / x; none: x may not be positive.
+// The range of the quotients of the components of rays along y and x; none if a component along x may not be
+// positive.
 std::optional<Interval> quotients(const Rays &rays, const Vector3 &y, const Vector3 &x) {
     Interval all{infinity, -infinity};
     const double size_y = length(y), size_x = length(x);
@@ -57,6 +58,7 @@ double magnitude(const Interval &x) noexcept {
     return std::max(std::abs(x.lower), std::abs(x.upper));
 }
 
+// The range of all products.
 Interval largest_product(const Interval &a, const Interval &b) noexcept {
     const auto [least, most] =
         std::minmax({a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper});
@@ -65,7 +67,7 @@ Interval largest_product(const Interval &a, const Interval &b) noexcept {
 
 } // namespace
 
-// The plane is that of the mean directions of both derivatives, which are its axes.
+// The plane is spanned by the mean directions of both derivatives, which are its axes.
 bool are_cones_apart(const std::vector<Tangents> &parts) {
     std::array<Rays, 2> rays;
     for (const Tangents &part : parts) {
@@ -85,7 +87,7 @@ bool are_cones_apart(const std::vector<Tangents> &parts) {
 
 namespace {
 
-// What is known of columns at a pole, as a plane sees it.
+// The cones of columns at a pole, in a plane whose normal is the mean of those of the columns.
 class PolarCones {
 public:
     PolarCones(size_t axis, size_t end) : axis_(axis), end_(end) {}
@@ -101,12 +103,13 @@ public:
                std::ranges::all_of(columns_, [&](const Column &column) { return add(column); });
     }
     [[nodiscard]] bool are_apart() const noexcept { return most_radial_ * most_angular_ <= most_product; }
-    // No angle of points differs more than this along what begins at the pole.
+    // The largest range of the angle of S - O within one column.
     [[nodiscard]] double wide() const noexcept { return wide_; }
     [[nodiscard]] const Vector3 &normal() const noexcept { return normal_; }
 
 private:
-    // Of S - O, S_v away from the pole, and S_u, the first and the last divided by the distance from it.
+    // Rays of S - O (out), of S_v directed away from the pole (away), and of S_u (round). S - O and S_u are
+    // divided by the distance from the pole in the domain.
     struct Column {
         Rays out, away, round;
     };
@@ -125,8 +128,9 @@ private:
         }
         return rays;
     }
-    // S - O is (1, t) with t in outs, S_v (1, t') with t' in aways, S_u (c, 1) with c in rounds: the angle from S - O to S_v has the
-    // tangent (t' - t) / (1 + t t'), that to S_u the cotangent (c + t) / (1 - c t).
+    // In the basis (out, round), up to positive factors, S - O is (1, t) with t in `outs`, S_v is (1, t')
+    // with t' in `aways`, and S_u is (c, 1) with c in `rounds`. The angle from S - O to S_v has the tangent
+    // (t' - t) / (1 + t t'), that to S_u the cotangent (c + t) / (1 - c t).
     bool add(const Column &column) {
         constexpr double least = 0.001;
         const Vector3 mean = mean_of(column.out), out = unit(mean - dot(mean, normal_) * normal_),
@@ -156,7 +160,8 @@ private:
     double most_radial_ = 0, most_angular_ = 0, wide_ = 0;
 };
 
-// The angle by which what is farthest from the pole goes round, each column by less than half a turn.
+// The angle that the side opposite to the pole covers. Each column covers less than half a turn, so that its
+// corners determine its share.
 double turn_of(const std::vector<std::vector<Tangents>> &columns, size_t axis, size_t end,
                const Vector3 &normal) noexcept {
     double turn = 0;

@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: MIT
-// The cones in which derivatives of a surface are, as a plane sees them.
+// Injectivity of a surface from the cones of its derivatives, projected to a plane (cone tests).
 #pragma once
 
 #include "intersect/surfaces/self/tangents.h"
 
 namespace nrb::intersect {
 
-// Between two places x, y of a rectangle that parts cover S(x) - S(y) = P (x - y)_0 + Q (x - y)_1, P and Q being the means of S_u
-// and S_v along the segment. If S_u and S_v, in coordinates (p, q) of a plane, have p > 0, q / p in [a, b], and q > 0, p / q in
-// [c, d], so have P and Q, since that makes convex cones; and if no product of two such quotients reaches 1, P and Q have a
-// positive determinant, so that S(x) = S(y) for x = y alone. How long derivatives are does not matter. Whether that holds for a plane
-// that fits.
+// Whether a plane is found that proves S injective on the rectangle of the domain that the parts cover. Let
+// x, y be two places in the rectangle, and P and Q the means of S_u and S_v along the segment between them.
+// Then
+//     S(x) - S(y) = P (x - y)_0 + Q (x - y)_1.
+// Let (p, q) be coordinates in the plane to which S is projected. If p > 0 and q / p is in [a, b] for S_u,
+// and q > 0 and p / q is in [c, d] for S_v everywhere, the same holds for P and Q, since these conditions
+// define convex cones. If all products of a number in [a, b] and one in [c, d] are less than 1, the
+// determinant of P and Q is positive, so that S(x) = S(y) only if x = y. The lengths of the derivatives do
+// not matter.
 bool are_cones_apart(const std::vector<Tangents> &parts);
 
-// At a side that is one point O (say v = 0) S_u vanishes. There polar coordinates about O, of points as a plane sees them, take
-// the place of these of the plane: for S - O, with the angle t and the length r, the derivatives of t and log r by u and v are in
-// cones as above, of which the quotients are
-//     (log r)_u / t_u = cot of the angle from S - O to S_u,   t_v / (log r)_v = tan of the angle from S - O to S_v:
-// if t_u > 0, (log r)_v > 0 and no product reaches 1, (t, log r) are different for different places. So are points, if t goes
-// round by less than one turn, or by just one where the surface closes.
+// The same on a rectangle with a pole: a side, say v = 0, that is one point O, at which S_u vanishes. Polar
+// coordinates about O in the plane, the angle t and the length r of S - O, replace (p, q) above. The
+// derivatives of (t, log r) by u and v are in cones, whose quotients are
+//     (log r)_u / t_u = cot of the angle from S - O to S_u,
+//     t_v / (log r)_v = tan of the angle from S - O to S_v.
+// If t_u > 0, (log r)_v > 0 and all products of two such quotients are less than 1, (t, log r) is injective.
+// So is S, except at the pole, if t covers less than one turn, or exactly one where the surface closes along
+// u.
 //
-// Columns of parts begin at the side, `end` of `axis`, and lie side by side along the other axis. closed: they are all there is of the
-// surface along that, and the last one goes on in the first one. Whether that holds for a plane that fits.
+// columns: each consists of parts from the pole, side `end` of `axis`, outwards; the columns lie side by side
+// along the other axis. closed: they cover the whole of that axis, along which the surface closes.
 bool are_polar_cones_apart(const std::vector<std::vector<Tangents>> &columns, size_t axis, size_t end,
                            bool closed);
 

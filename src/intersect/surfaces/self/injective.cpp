@@ -12,11 +12,12 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr size_t most_of_pairs = 16; // parts that a rectangle may reach over
-constexpr size_t most_at_pole = 64;  // the same at a side that is one point
-constexpr int most_sectors = 16;     // of a piece there
+constexpr size_t most_of_pairs = 16; // number of pieces that a rectangle may reach over
+constexpr size_t most_at_pole = 64;  // the same at a pole
+constexpr int most_sectors = 16;     // that a piece at a pole is cut into
 
-// Whether the last layer of one along an axis is the first one of the other, to rounding.
+// Whether the last layer of control points of `lower` along an axis equals the first one of `upper`, to
+// rounding.
 bool have_one_side(const CrossPiece &lower, const CrossPiece &upper, size_t axis) noexcept {
     const int64_t row = lower.degrees[1] + 1, layers = lower.degrees[axis] + 1,
                   others = lower.degrees[1 - axis] + 1;
@@ -60,7 +61,7 @@ bool InjectiveParts::is_all_proven() const {
     return std::ranges::all_of(block_, [](int64_t block) { return block == 0; });
 }
 
-// The longer side of what is not proven is cut in the middle.
+// Bisection: a rectangle that is not proven is cut in the middle of its longer side.
 void InjectiveParts::set_blocks() {
     using Block = std::array<std::array<int64_t, 2>, 2>; // [axis]: the first, and beyond the last
     const int64_t n = ground_.grid.count(0), m = ground_.grid.count(1);
@@ -127,7 +128,8 @@ std::vector<InjectiveParts::Pole> InjectiveParts::poles_of(const PieceRect &rect
     return poles;
 }
 
-// False: the surface ends or jumps inside, or these are too many.
+// The parts of pieces in a rectangle, along both axes; false if they are too many, or the surface ends or
+// jumps inside.
 bool InjectiveParts::cut(const PieceRect &rect, size_t most_parts,
                          std::array<std::vector<Part>, 2> &parts) const {
     for (size_t k = 0; k < 2; ++k) {
@@ -168,7 +170,7 @@ bool InjectiveParts::is_closed_at(size_t axis, int64_t above, const std::vector<
            });
 }
 
-// False: weights are not positive, or there are no derivatives.
+// False: the weights are not positive, or a degree is 0.
 bool InjectiveParts::add(const Part &along_u, const Part &along_v, std::vector<Tangents> &parts) const {
     const CrossPiece *const piece = ground_.piece({along_u.index, along_v.index});
     if (piece == nullptr || piece->degrees[0] == 0 || piece->degrees[1] == 0) {
@@ -194,7 +196,7 @@ bool InjectiveParts::is_injective(const PieceRect &rect, size_t most_parts) cons
     return are_cones_apart(all);
 }
 
-// In more and more sectors, in which directions differ less.
+// Tries more and more sectors, in each of which directions differ less.
 bool InjectiveParts::is_injective_at_pole(const PieceRect &rect, const Pole &pole, size_t most_parts) const {
     std::array<std::vector<Part>, 2> parts;
     const size_t other = 1 - pole.axis;

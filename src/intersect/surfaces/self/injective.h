@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rectangles of the domain of a surface on which it is proven to take no point twice.
+// Rectangles of the domain on which a surface is proven to be injective.
 #pragma once
 
 #include "intersect/surfaces/self/cones.h"
@@ -8,27 +8,30 @@
 
 namespace nrb::intersect {
 
-// Places along both axes: the index of a piece plus the place in it, which run on beyond the ends of the domain where the surface
-// closes.
+// A rectangle of the domain, in units of pieces: the index of a piece plus the place in [0, 1] in it. It may
+// reach beyond the ends of the domain where the surface closes.
 using PieceRect = std::array<Interval, 2>;
 
-// Rectangles are proven by the cones of derivatives in them (cones.h); knots, and edges less than folded flat, may be inside. Of
-// surfaces that close, or end in one point, to rounding only, all holds but for places that rounding makes one.
+// Rectangles are proven by the cones of their derivatives (cones.h). They may contain knots, and creases that
+// are not folded flat. Where a surface closes, or has a pole, only to rounding, it is injective except
+// for places whose points coincide to rounding.
 class InjectiveParts {
 public:
     explicit InjectiveParts(CrossGround &ground);
 
-    // Whether it is proven; of rectangles that reach over many pieces it is not.
+    // Whether the surface is proven injective on a rectangle. False for rectangles over many pieces.
     [[nodiscard]] bool is_proven(const PieceRect &rect);
-    // Whether the surface jumps nowhere in a rectangle of a few pieces.
+    // Whether the surface is continuous on a rectangle. False if it has jumps somewhere and the rectangle
+    // many pieces.
     [[nodiscard]] bool is_continuous(const PieceRect &rect) const;
-    // Blocks of whole pieces that were proven first: which one a piece is in; -1: none.
+    // Blocks are rectangles of whole pieces that the constructor proves. The number of that of a piece; -1:
+    // none.
     [[nodiscard]] int64_t block_of(const pieces::PieceGrid::Index &index) const;
-    // Whether all of the surface is one.
+    // Whether the whole surface is one block.
     [[nodiscard]] bool is_all_proven() const;
 
 private:
-    // What of a piece a rectangle holds along an axis.
+    // The interval of a piece that is in a rectangle, along one axis.
     struct Part {
         int64_t index;
         Interval places;
@@ -45,7 +48,8 @@ private:
     [[nodiscard]] bool cut(const PieceRect &rect, size_t most_parts,
                            std::array<std::vector<Part>, 2> &parts) const;
     [[nodiscard]] bool is_whole(const std::array<std::vector<Part>, 2> &parts) const;
-    // Whether both sides of a break at which the surface may jump are one, as far as a rectangle goes.
+    // Whether the surface is continuous, to rounding, over a knot at which it may jump, between the pieces
+    // with indices above - 1 and above, along the parts `along`.
     [[nodiscard]] bool is_closed_at(size_t axis, int64_t above, const std::vector<Part> &along) const;
     bool add(const Part &along_u, const Part &along_v, std::vector<Tangents> &parts) const;
     void set_blocks();
@@ -55,8 +59,8 @@ private:
 
     CrossGround &ground_;
     std::map<std::array<double, 4>, bool> known_;
-    std::vector<int64_t> block_; // of pieces
-    bool jumps_ = false;         // whether it may do so anywhere
+    std::vector<int64_t> block_; // of each piece
+    bool jumps_ = false;         // whether the surface may jump anywhere
 };
 
 } // namespace nrb::intersect

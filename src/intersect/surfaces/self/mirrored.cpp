@@ -14,7 +14,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// On the way of an arc: how far zeros of its box may be beyond its ends, in parts of the box.
+// How far beyond its ends, along coordinate k of its chart, a zero still counts as on an arc, in lengths of
+// its box.
 constexpr double beyond_ends = 0x1p-10;
 
 CrossSpot mirrored(const CrossSpot &spot) noexcept {
@@ -29,7 +30,7 @@ CrossSpot mirrored(const CrossSpot &spot) noexcept {
     return result;
 }
 
-// Ways of chains, of which those of one way follow each other.
+// Removes mirrored ways. Precondition: the chains of a way follow each other.
 class MirroredWays {
 public:
     MirroredWays(const CrossSurface &surface, const CrossParts &found, CrossChains &chains)
@@ -73,7 +74,7 @@ private:
         }
     }
 
-    // The way that has the middle of this one, with its places in the other order; none: their number.
+    // The way that contains the mirrored middle of this one; the number of ways if there is none.
     [[nodiscard]] size_t mirror_of(size_t way) const {
         const Way &own = ways_[way];
         const auto chains = std::span(chains_.chains).subspan(own.first, own.count);
@@ -112,7 +113,7 @@ private:
         return z[k] >= from - beyond_ends && z[k] <= to + beyond_ends;
     }
 
-    // Of closed ways numbers follow each other.
+    // Keeps these ways, and numbers the loops anew.
     void keep(const std::vector<bool> &kept) {
         std::vector<CrossChain> chains;
         int64_t loops = 0;
@@ -135,8 +136,8 @@ private:
     const CrossParts &found_;
     CrossChains &chains_;
     std::vector<Way> ways_;
-    std::vector<size_t> way_of_arc_; // from 1 on; 0: in none
-    NumbersOfPieces numbers_;        // of arcs in ways
+    std::vector<size_t> way_of_arc_; // counted from 1; 0: of none
+    NumbersOfPieces numbers_;        // of the arcs in ways, by pieces
 };
 
 ContactPoint mirrored(const ContactPoint &point) noexcept {
@@ -146,7 +147,7 @@ ContactPoint mirrored(const ContactPoint &point) noexcept {
     return result;
 }
 
-// Of parts of the domain of a surface.
+// Merges mirrored nodes that stand for parts of the domain, of kind touch or undecided.
 class MirroredNodes {
 public:
     MirroredNodes(const CrossSurface &surface, Meet &meet)
@@ -160,7 +161,8 @@ public:
         }
     }
 
-    // One of both becomes a node that goes, since no branch has it.
+    // Of two mirrored nodes one takes over what the other stands for. The other becomes a border node without
+    // a branch, which Meet::tidy_nodes() removes.
     void run() {
         for (size_t i = 0; i < meet_.nodes.size(); ++i) {
             for (size_t j = i + 1; j < meet_.nodes.size() && is_part(i); ++j) {
@@ -185,7 +187,7 @@ private:
         const MeetNode &a = meet_.nodes[i], &b = meet_.nodes[j];
         return overlap(a.range, b.range_second) && overlap(a.range_second, b.range);
     }
-    // What is told of one node, by the other one.
+    // Extends node `to` by what the mirrored node `from` stands for.
     void take(size_t from, size_t to) {
         MeetNode &less = meet_.nodes[from], &more = meet_.nodes[to];
         for (size_t k = 0; k < 2; ++k) {
@@ -197,7 +199,7 @@ private:
         more.kind = less.kind == NodeKind::undecided ? less.kind : more.kind;
         less.kind = NodeKind::border;
     }
-    // Across the seam where that makes less.
+    // Extends `all` to contain `own`, across the seam where the result is shorter.
     void enclose(const Interval &own, size_t axis, Interval &all) const noexcept {
         const double period = surface_.borders.wraps(axis) ? surface_.borders.period(axis) : 0;
         Interval best{-infinity, infinity};

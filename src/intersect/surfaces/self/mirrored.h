@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a surface has in common with itself is found twice, with both of its places in either order: one of both is kept.
+// Self-intersections are found twice, once for each order of their two places ('mirrored': in the other
+// order). These functions keep one of both.
 #pragma once
 
 #include "intersect/surfaces/contact/contact_trace.h"
@@ -7,17 +8,21 @@
 
 namespace nrb::intersect {
 
-// Groups of clusters, of which each is taken with its places in one order, and then these with their places in the other order.
+// Groups of clusters, which are first brought into one order of their places; then the mirrored copies of all
+// groups.
 std::vector<CrossGroup> mirrored_groups(const CrossSurface &surface, const CrossTouch &touch,
                                         std::vector<CrossCluster> clusters);
 
-// Ways of chains. One that is its own mirror, along which places change their order, stays as it is, and goes round twice.
+// Removes one of each pair of mirrored ways, which are chains that continue each other. A way that is its own
+// mirror, along which the places change their order, is kept: it runs through its points twice.
 void remove_mirrored(const CrossSurface &surface, const CrossParts &found, CrossChains &chains);
 
+// Removes one of each pair of mirrored contact curves.
 void remove_mirrored(const ContactTracer &tracer, std::vector<ContactCurve> &curves);
 
-// Parts in which branches are not told apart, unless branches end in both. near: of those in which places are the same ones, or side by
-// side, all that are larger than the tolerance are left open.
+// Merges mirrored nodes of kind touch and undecided, unless branches end in both. A touch whose two ranges
+// have places in common, so that part of it is the surface meeting itself trivially, becomes undecided unless
+// it is small to within the tolerance.
 void remove_mirrored(const CrossSurface &surface, const CrossTouch &touch, Meet &meet);
 
 } // namespace nrb::intersect

@@ -10,9 +10,10 @@ namespace nrb::intersect {
 
 namespace {
 
-// In parts of pieces: sides of boxes are shifted by less.
+// In lengths of pieces; more than sides of boxes are shifted by.
 constexpr double room_between = 4 * shift_of_sides;
-// How much longer than the longer of both what holds them may be, if they are not side by side.
+// The largest length of a rectangle that holds two parts which are not adjacent, in lengths of the longer
+// part.
 constexpr double most_stretch = 3;
 
 PieceRect rect_of(const CrossCell &cell) noexcept {
@@ -36,7 +37,7 @@ double length_of(const Interval &x) noexcept {
     return x.upper - x.lower;
 }
 
-// Whether both reach to one side of the surface that is one point.
+// Whether both parts reach to the same pole.
 bool have_one_pole(const CrossCell &a, const CrossCell &b) noexcept {
     const auto has = [](const CrossCell &cell, size_t axis, size_t end) {
         return cell.piece().poles[axis][end] && cell.is_border(axis, end);
@@ -53,7 +54,7 @@ bool have_one_pole(const CrossCell &a, const CrossCell &b) noexcept {
 
 } // namespace
 
-// Across the seam of an axis that closes where that is shorter.
+// The interval that holds both; across the seam of an axis that closes if that is shorter.
 Interval SelfPairs::both_along(size_t axis, const Interval &a, const Interval &b) const noexcept {
     const Interval both = hull(a, b);
     if (!ground_.borders.wraps(axis)) {

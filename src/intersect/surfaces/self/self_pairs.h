@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What parts of a surface are to each other in its domain.
+// Classifies pairs of parts of one surface by where they are in its domain, for self-intersection.
 #pragma once
 
 #include "intersect/surfaces/self/injective.h"
@@ -11,14 +11,16 @@ public:
     explicit SelfPairs(CrossGround &ground) : ground_(ground), injective_(ground) {}
 
     enum class Verdict {
-        one_sheet, // both are proven to have nothing in common but themselves
-        touching, // not proven, and one and the same, or side by side: across knots, where the surface closes, or at a pole
-        near,  // not proven, and no farther from each other than they are large
-        apart, // not proven
+        one_sheet, // the surface is proven injective on a rectangle with both: no self-intersection
+        // Not proven; the parts overlap in the domain, or are adjacent, also across knots and where the
+        // surface closes, or they have a pole in common.
+        touching,
+        near,  // not proven and not adjacent; along each axis both fit into three lengths of the longer one
+        apart, // not proven, and neither of these, or the surface may jump between them
     };
     Verdict look(const CrossCell &a, const CrossCell &b);
 
-    // Whether all of the surface is one sheet.
+    // Whether the whole surface is proven injective.
     [[nodiscard]] bool is_one_sheet() const { return injective_.is_all_proven(); }
 
 private:

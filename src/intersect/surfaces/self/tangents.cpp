@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t record_size = 4; // x w, y w, z w, w
 
-// Of layers of records along an axis those of a part; inner: numbers of a layer.
+// Subdivides homogeneous control points along an axis to a part of it. inner: number of values in a layer.
 void take_part(int degree, const Interval &places, size_t outer, size_t inner, std::vector<double> &records) {
     if (places.lower == 0 && places.upper == 1) {
         return;
@@ -80,7 +80,8 @@ void Tangents::add_legs(size_t axis, size_t first, size_t last, std::vector<Tang
     }
 }
 
-// The sum with i + j - 1 = power, and indices of layers along the other axis of which the sum is `layers`, divided by that of its factors.
+// The ray of the terms with i + j - 1 = power and with indices of layers along the other axis whose sum is
+// `layers`: the mean of their chords, weighted by the factors.
 TangentRay Tangents::sum_of_chords(size_t axis, size_t power, size_t layers) const noexcept {
     const auto p = static_cast<size_t>(degrees_[axis]), q = static_cast<size_t>(degrees_[1 - axis]);
     Vector3 sum;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The directions of derivatives of a part of a surface.
+// Vectors whose cone contains the directions of the derivatives of a part of a surface (a hodograph up to
+// positive factors).
 #pragma once
 
 #include "intersect/surfaces/cross_cell.h"
@@ -8,25 +9,28 @@
 
 namespace nrb::intersect {
 
-// A vector that is off by no more than a radius.
+// A vector, and a bound of its error.
 struct TangentRay {
     Vector3 way;
     double off;
 };
 
-// Of a part of a piece. With the control points P and the weights w of the part, the derivative along an axis of degree p is, times the square
-// of the weight, the sum over i < j of
+// Rays of a part of a piece. Let P_i and w_i be its control points and weights along an axis of degree p, and
+// C(p, i) binomial coefficients. The derivative along the axis, times the square of the weight function, is
+// the sum over i < j of
 //     (j - i) C(p, i) C(p, j) t^(i + j - 1) (1 - t)^(2 p - i - j - 1) w_i w_j (P_j - P_i),
-// over all pairs of layers along the other axis: its directions are positive multiples of sums of rays, one for each power. (Those of
-// a curve are in the cone of chords of its control polygon: M. Floater, CAGD 9 (1992).) Without weights rays are legs.
+// and over all pairs of layers along the other axis, with P_i in the one and P_j in the other. Terms with
+// equal powers of t, and equal sums of the indices of both layers, make one ray: derivatives are positive
+// combinations of the rays. (The derivative of a curve is in the cone of the chords of its control polygon:
+// M. Floater, CAGD 9 (1992).) If all weights are equal, the rays are the legs of the control net.
 class Tangents {
 public:
     Tangents(const CrossPiece &piece, const std::array<Interval, 2> &places);
 
-    // Those along an axis; `without`: the side of the other axis, 0 or 1, at which the derivative vanishes: rays are of the derivative
-    // divided by the distance from it.
+    // The rays of the derivative along an axis. without: the side of the other axis, 0 or 1, along which the
+    // derivative vanishes; the rays are then those of the derivative divided by the distance from that side.
     void add_rays(size_t axis, std::optional<size_t> without, std::vector<TangentRay> &rays) const;
-    // From a point to all of the part, but the control points on a side of an axis.
+    // Rays from a point to the control points of the part, except those on side `without` of the axis.
     void add_rays_from(const Vector3 &point, size_t axis, std::optional<size_t> without,
                        std::vector<TangentRay> &rays) const;
     [[nodiscard]] const Vector3 &corner(size_t end_u, size_t end_v) const noexcept {
@@ -35,7 +39,7 @@ public:
     }
 
 private:
-    // Layer i along an axis, j along the other one.
+    // The index of the control point in layer i along an axis and j along the other one.
     [[nodiscard]] size_t place(size_t axis, size_t i, size_t j) const noexcept {
         const auto row = static_cast<size_t>(degrees_[1]) + 1;
         return axis == 0 ? i * row + j : j * row + i;
@@ -48,7 +52,7 @@ private:
     std::vector<double> weights_;
     std::array<const double *, 2> binomials_;
     bool rational_ = false;
-    double error_; // of points
+    double error_; // of control points
 };
 
 } // namespace nrb::intersect

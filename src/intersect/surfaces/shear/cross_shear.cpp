@@ -11,7 +11,8 @@ namespace nrb::intersect {
 
 namespace {
 
-// Of both axes, as differences from a place: of the wide part, or where what is beside borders is told, too.
+// Ranges of places along both axes, as differences from a place: of the wide part, and of the box with its
+// room for arcs along borders.
 std::array<Interval, 2> wide_ranges(const std::array<double, 2> &from) noexcept {
     return {Interval{-widening - from[0], 1 + widening - from[0]},
             Interval{-widening - from[1], 1 + widening - from[1]}};
@@ -57,8 +58,8 @@ void CrossShear::set_leans() noexcept {
                       Pair{-leans_[1][0] / determinant, leans_[0][0] / determinant}};
 }
 
-// The middle of X and its foot on Y, or what is nearest to these in both parts, or so far beside them, by a few steps of Newton's method.
-// False: both are not over each other.
+// The start: the middle of X and its foot point on Y, by a few steps of Newton's method, or the nearest
+// places that are at most `beside` outside their parts. False: the parts are not over each other.
 bool CrossShear::set_start(const CrossCell &x, const CrossCell &y, double beside) {
     constexpr int most_steps = 4;
     constexpr double far = 4, near = 0x1p-16, nearly = 0x1p-5;
@@ -87,7 +88,7 @@ bool CrossShear::set_start(const CrossCell &x, const CrossCell &y, double beside
     }
 }
 
-// Whether a plane across the way from one to the other, where they come nearest, is between them.
+// Whether a plane perpendicular to the segment between the places where the parts are nearest separates them.
 bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const {
     const double size = length(between_);
     if (!(size > 0)) {
@@ -98,7 +99,8 @@ bool CrossShear::are_beside(const CrossCell &x, const CrossCell &y) const {
     return x.hull_along(unit).lower - y.hull_along(unit).upper > 4 * (x.error() + y.error());
 }
 
-// What would be beyond Y is made up for in X. Whether that moves.
+// Moves the foot by a step, to at most `beside` outside Y, and makes up for what is cut off by moving the
+// place in X. Returns whether that place was moved.
 bool CrossShear::move_foot(const Pair &step, double beside) noexcept {
     auto &[at, foot] = starts_;
     Pair beyond{};
@@ -117,10 +119,11 @@ bool CrossShear::move_foot(const Pair &step, double beside) noexcept {
     return true;
 }
 
-// As far as the start and the planes of tangents there tell: one surface rather than two. What crosses at a small angle is within the
-// tolerance long before its parts are flat, but comes apart by a good part of it.
+// Whether the parts are one surface rather than two, judged by the start and the tangent planes there.
+// Surfaces that cross at a small angle are within the tolerance long before their parts are flat, but they
+// come apart by a good part of it.
 bool CrossShear::is_along(double tolerance) const noexcept {
-    constexpr double hardly = 0x1p-4; // in tolerances
+    constexpr double hardly = 0x1p-4; // relative to the tolerance
     return std::abs(dot(vectors_[2], between_)) + std::abs(dot(vectors_[2], slopes_of_x_[0])) +
                std::abs(dot(vectors_[2], slopes_of_x_[1])) <=
            hardly * tolerance;
@@ -132,7 +135,8 @@ CrossShear::Verdict CrossShear::set(const CrossCell &x, const CrossCell &y, doub
         if (are_beside(x, y)) {
             return Verdict::apart;
         }
-        // What is beside each other may have sides that are bent: it is told apart by a place over both.
+        // Parts beside each other may have curved sides that no plane separates: bounds from a start over
+        // both, a little outside, may show that they are apart.
         if (!set_start(x, y, widening)) {
             return Verdict::open;
         }

@@ -11,7 +11,7 @@ namespace nrb::intersect {
 
 namespace {
 
-constexpr double least_aside = 0x1p-20; // what zeros may be off for rounding, in parts
+constexpr double least_aside = 0x1p-20; // room for the rounding of zeros, in lengths of parts
 
 } // namespace
 
@@ -34,7 +34,8 @@ void CrossShear::set_bends(size_t d, const CrossCell &x, const CrossCell &y) {
     }
 }
 
-// Along an axis along which they bend by more than a little.
+// Whether, along an axis of X along which the surfaces bend by more than a little, they may bend alike: H is
+// not known to exceed a quarter of what both bend.
 bool CrossShear::is_useful() const noexcept {
     constexpr double much = 4, little = 0x1p-20;
     const Bends &bends = bends_[2];
@@ -61,8 +62,9 @@ void CrossShear::set_errors(const CrossCell &x, const CrossCell &y) noexcept {
     }
 }
 
-// d . C_j; share: of the differences, 1/2 for the mean of all places between the start and another one. Where nothing is known of
-// sigma, that of both surfaces by itself.
+// Bounds d . C_j in a region. share: how much of the changes from the start counts; 1 for all places of the
+// region, 1/2 for the mean over the segment from the start to any of them. While nothing is known of sigma,
+// the changes of both surfaces are bounded separately.
 Interval CrossShear::slope_in(size_t d, size_t j, const Away &away, double share) const noexcept {
     const Bends &bends = bends_[d];
     const bool known = std::isfinite(away.aside[0]);
@@ -83,8 +85,10 @@ Interval CrossShear::own_in(size_t d, size_t m, const Away &away, double share) 
            around(lengths_[d] * own_errors_[m] + 8 * eps * magnitude_of(change));
 }
 
-// N . G = 0 is N . G at the start, and N . C times the way there, less N . Y' sigma. False: Y bends too much for N . Y' to have a certain
-// inverse.
+// Bounds |sigma| at the zeros of a region. With the means of N . C and N . Y' over the segment from the
+// start, a zero has
+//     0 = N . G = N . G(x_0, y_0) + (N . C) (x - x_0) - (N . Y') sigma.
+// False: Y bends too much for N . Y' to be certainly invertible.
 bool CrossShear::set_aside(Away &away) {
     constexpr double least = 0.3;
     std::array<Pair, 2> offs{};
@@ -108,7 +112,7 @@ bool CrossShear::set_aside(Away &away) {
     return true;
 }
 
-// x - x_0 = L^-1 (y - y_0 - sigma), and the other way round; false: nothing is left.
+// Narrows x - x_0 to L^-1 (y - y_0 - sigma), and y - y_0 to L (x - x_0) + sigma. False: nothing is left.
 bool CrossShear::narrow(Away &away) const noexcept {
     constexpr double slack = 0x1p-30;
     const auto both = [](Interval &x, const Interval &y) {
@@ -133,7 +137,9 @@ bool CrossShear::narrow(Away &away) const noexcept {
     return true;
 }
 
-// From what sigma is at zeros to what is said of: as much again, first where nothing else is known, then in what that leaves.
+// Sets the region in which the bounds are to hold: |sigma| at most twice its bound at zeros. That bound is
+// first the one over the wide parts, then the one over what twice the first bound leaves of them. False:
+// nothing is left.
 bool CrossShear::give_room(Away &away) {
     const auto twice = [](const Pair &aside) {
         return Pair{2 * aside[0] + least_aside, 2 * aside[1] + least_aside};

@@ -11,7 +11,7 @@ namespace nrb::intersect {
 
 namespace {
 
-// The least value of h x + c x^2 / 2.
+// The least value of h x + c x^2 / 2 on an interval.
 double least_of(double h, double c, const Interval &x) noexcept {
     const auto at = [&](double place) { return place * (h + c / 2 * place); };
     double least = std::min(at(x.lower), at(x.upper));
@@ -26,7 +26,7 @@ struct Parabola {
     double c, h, b;
 
     [[nodiscard]] double at(double x) const noexcept { return c + x * (h + b / 2 * x); }
-    // Infinite: there is none.
+    // Infinite, or not a number: there is none.
     [[nodiscard]] std::array<double, 2> zeros() const noexcept {
         const double discriminant = h * h - 2 * b * c;
         if (!(discriminant >= 0)) {
@@ -39,7 +39,7 @@ struct Parabola {
 
 } // namespace
 
-// Between which numbers n . G is, less n . C_j(x_0, y_0) (x - x_0)_j + H_jj (x - x_0)_j^2 / 2.
+// Bounds of n . G without its terms n . C_j(x_0, y_0) (x - x_0)_j + H_jj (x - x_0)_j^2 / 2.
 Interval CrossShear::height_beside(size_t j, const Away &away) const noexcept {
     const Bends &bends = bends_[2];
     const size_t k = 1 - j;
@@ -58,7 +58,8 @@ Interval CrossShear::height_beside(size_t j, const Away &away) const noexcept {
             middle + both.upper - least_of(-h, -bends.both[2 * k].upper, away.x[k]) + room};
 }
 
-// Along the axis along which n . G changes more: where both bounds of n . G, which are polynomials of degree 2, leave 0 between them.
+// Confines the zeros along the axis of X along which n . G changes more: they are where the lower and the
+// upper bound of n . G, both quadratic polynomials, have 0 between them. That makes two intervals at most.
 void CrossShear::set_zeros(const Away &away) noexcept {
     const Bends &bends = bends_[2];
     const auto change = [&](size_t j) {
@@ -114,7 +115,9 @@ bool CrossShear::touch_nowhere() const noexcept {
     return std::ranges::any_of(slopes_[2], [](const Interval &x) { return x.lower > 0 || x.upper < 0; });
 }
 
-// What bends of one of both leave open is the larger part of how n . C changes, or what axes of X make of it.
+// Chooses what to halve by what makes up most of the change of n . C over the parts: if it is sigma, the
+// larger part; if it is the widths of second derivatives, the part with the wider ones; otherwise X, along
+// the axis that contributes more. Along across_, X is not halved where n . C is narrow already.
 void CrossShear::set_cut(const CrossCell &x, const CrossCell &y, const Away &away) noexcept {
     const Bends &bends = bends_[2];
     const Pair far{magnitude_of(away.x[0]), magnitude_of(away.x[1])};
