@@ -15,12 +15,14 @@ namespace {
 // only one between from and to.
 Interval certain_ends(const RoundedPolynomial &f, double zero, double from, double to) {
     constexpr double factor = 16;
-    for (double reach = 2 * eps; reach < to - from; reach *= factor) {
+    double reach = 2 * eps;
+    while (reach < to - from) {
         const double a = std::max(zero - reach, from), b = std::min(zero + reach, to);
         const int below = value_at(f, last_axis, a).sign(0), above = value_at(f, last_axis, b).sign(0);
         if (below != 0 && above == -below) {
             return {a, b};
         }
+        reach *= factor;
     }
     return {from, to};
 }

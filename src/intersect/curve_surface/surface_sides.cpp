@@ -40,7 +40,8 @@ public:
     [[nodiscard]] Side along(const SpaceWay &way) const {
         const Interval domain = seams_.domain(0);
         const std::vector<double> from = point(way.from);
-        for (double step = way.first; step <= way.most; step *= 4) {
+        double step = way.first;
+        while (step <= way.most) {
             const double t = way.up ? way.from + step : way.from - step;
             if (seams_.period(0) == 0 && (t < domain.lower || t > domain.upper)) {
                 return {};
@@ -51,6 +52,7 @@ public:
             if (side.sign != 0) {
                 return side;
             }
+            step *= 4;
         }
         return {};
     }

@@ -96,7 +96,10 @@ Meet surface_contours(const Spline &surface, ContourKind kind, const Vector &d,
     const bool lit = kind == ContourKind::isophote;
     const auto function = [&](size_t i) {
         const double cosine = lit ? cosines[i] : 0;
-        return LevelFunction{function_of(kind, d, cosine), sign_of(d, cosine)};
+        LevelFunction level;
+        level.function = function_of(kind, d, cosine);
+        level.sign = sign_of(d, cosine);
+        return level;
     };
     return levels_of_functions(surface, surface, lit ? cosines.size() : 1, function, tolerance);
 }

@@ -48,7 +48,9 @@ Meet surface_reflections(const Spline &surface, ReflectionKind kind, const Vecto
     const auto function = [&](size_t i) {
         const auto at = static_cast<int64_t>(i);
         const Vector point{points(at, 0), points(at, 1), points(at, 2)};
-        return LevelFunction{function_of(kind, eye, direction, point), {}};
+        LevelFunction level;
+        level.function = function_of(kind, eye, direction, point);
+        return level;
     };
     return levels_of_functions(surface, surface, static_cast<size_t>(points.count), function, tolerance);
 }

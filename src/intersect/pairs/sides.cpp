@@ -35,7 +35,8 @@ int side_of(const Spline &b, const double *point, double guess, double reach, do
 int side_along(const Spline &a, const Spline &b, const Way &way, double noise) {
     const Interval domain = a.axis(0).domain();
     const std::vector<double> from = eval::curve_point(a, in_domain(a, way.from_a), false);
-    for (double step = way.first; step <= way.most; step *= 4) {
+    double step = way.first;
+    while (step <= way.most) {
         const double t = way.up ? way.from_a + step : way.from_a - step;
         if (!a.axis(0).periodic() && (t < domain.lower || t > domain.upper)) {
             return 0;
@@ -45,6 +46,7 @@ int side_along(const Spline &a, const Spline &b, const Way &way, double noise) {
         if (const int side = side_of(b, point.data(), way.from_b, reach, noise)) {
             return side;
         }
+        step *= 4;
     }
     return 0;
 }

@@ -41,6 +41,6 @@ private:
 // The overlap that a strand is, with its ends extended if necessary: it holds a whole span of one of the
 // curves, or it begins and ends where one of them has a knot or an end, or turns back. None for other
 // strands: polynomial pieces that agree on an interval agree until one of them ends.
-std::optional<Strand> overlap_of(const Breaks &on_a, const Breaks &on_b, const Strand &strand);
+std::optional<Strand> overlap_of(const Breaks &on_a, const Breaks &on_b, const Strand &given);
 
 } // namespace nrb::intersect

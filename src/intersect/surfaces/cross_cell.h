@@ -173,7 +173,7 @@ public:
     // Its halves along an axis; without one, along an axis that is chosen at the first such call. Null: the
     // part is too small, or the axis has degree 0.
     using Halves = std::array<CrossCell *, 2>;
-    Halves halves(std::deque<CrossCell> &all, std::optional<size_t> axis = std::nullopt);
+    Halves halves(std::deque<CrossCell> &all, std::optional<size_t> along = std::nullopt);
     // What is between places of it; null: it is too small. Precondition: at each side that is new, a margin
     // of 2^-12 of this part holds no zeros, because sides of boxes are shifted.
     CrossCell *part(std::deque<CrossCell> &all, const std::array<Interval, 2> &places) const;
