@@ -18,7 +18,9 @@ namespace {
 
 constexpr double rounding_share = 0x1p-44; // of about a period
 
-// In units of about a period. Solvers and places have the rounding of the largest parameters.
+// The distance that counts as none, in units of about a period: the share that the tolerance has of the
+// extent of the surface, but no less than a bound on the rounding of solvers and of stored places, which is
+// that of the largest parameters.
 double near_of(const Covering &covering, double tolerance) {
     constexpr double rounding = 0x1p-38;
     constexpr double largest = 0x1p480; // products of two parameters are representable
@@ -36,7 +38,7 @@ double near_of(const Covering &covering, double tolerance) {
     return std::max(rounding * share, given);
 }
 
-// Knots at which a curve may have kinks, and places at which it turns back.
+// The knots at which a curve may have kinks, and the parameters at which it turns back.
 std::vector<double> breaks_of(const Spline &curve) {
     std::vector<double> breaks = refine::rough_knots(curve.axis(0), 1);
     const std::vector<double> turns = places_of_return(curve);
@@ -73,8 +75,8 @@ Arrangement::Arrangement(const Covering &covering, std::span<const ArrangedLoop>
     set_pieces();
 }
 
-// Where a curve has a kink, or turns back, two parts of it come as near as that all the way to it: as one curve it would be searched for meets with
-// itself around each.
+// On both sides of a kink, or of a place where a curve turns back, the curve comes arbitrarily near itself.
+// As one curve it would be searched for self-intersections there; as two curves it has a common end instead.
 std::vector<ClosedLoop> Arrangement::smooth_parts() {
     std::vector<ClosedLoop> result;
     for (size_t i = 0; i < loops_.size(); ++i) {
@@ -93,7 +95,8 @@ std::vector<ClosedLoop> Arrangement::smooth_parts() {
     return result;
 }
 
-// What pairs join, each with its direction along the first of them.
+// The connected components of the graph whose vertices are the edges of the cuts and whose edges are the
+// pairs. Each member has its direction relative to the first one.
 void Arrangement::set_edges() {
     const auto &all = cuts_.edges();
     std::vector<std::vector<Member>> beside(all.size());
@@ -148,7 +151,8 @@ Point2 Arrangement::node_near(size_t node, const Point2 &x) const noexcept {
     return copy;
 }
 
-// The part of a curve that an edge is, in the copy in which it begins at its node.
+// The part of a curve that an edge of the cuts stands for, moved to the copy of the domain in which it begins
+// at its node. Sets the turns of the edge.
 PlacedCurve Arrangement::placed_part(const CutEdge &cut, Edge &edge) const {
     const PlacedCurve &whole = smooth_[cut.curve];
     PlacedCurve part{refine::restrict_axis(whole.curve, 0, cut.range.lower, cut.range.upper), whole.shift};

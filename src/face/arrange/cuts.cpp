@@ -16,7 +16,7 @@ namespace {
 
 using intersect::HitKind;
 
-// Marks of a node are no farther from it than so many times what is near.
+// How far from its node a mark may be, in multiples of the distance that counts as none.
 constexpr double widest_node = 16;
 
 bool holds(Interval range, double t) noexcept {
@@ -57,7 +57,7 @@ void Cuts::add_marks() {
     }
 }
 
-// What is apart, if only by less than what is near, is no node.
+// A contact makes no node: the curves are proven to be apart, if only by less than what counts as none.
 void Cuts::add_marks(const LoopHit &hit) {
     if (hit.kind == HitKind::overlap && !is_short(hit)) {
         const Interval b = hit.against ? Interval{hit.range_b.upper, hit.range_b.lower} : hit.range_b;
@@ -70,13 +70,14 @@ void Cuts::add_marks(const LoopHit &hit) {
     }
 }
 
-// What curves have in common that is no longer than what one node may stand for is a touch.
+// An overlap that is no longer than one node may stand for counts as a touch.
 bool Cuts::is_short(const LoopHit &hit) const {
     return hit.kind == HitKind::overlap && is_small(hit.a, hit.range_a) && is_small(hit.b, hit.range_b);
 }
 
-// Curves that touch are as near as rounding along a whole range. In it one node has to stand for all of them, so that one that is
-// there already is taken, with the foot on the other curve. What is left open in a place is one of these.
+// Over the whole range of a touch the curves are nearer to each other than rounding can tell, so one node has
+// to stand for the range. If a mark is there already, it is used together with its foot on the other curve.
+// An undecided hit that is small enough for one node counts as a touch.
 void Cuts::add_touch(const LoopHit &hit) {
     if (hit.kind == HitKind::undecided && !(is_small(hit.a, hit.range_a) && is_small(hit.b, hit.range_b))) {
         fail_at(hit);
@@ -92,7 +93,8 @@ void Cuts::add_touch(const LoopHit &hit) {
     links_.emplace_back(add(hit.a, at_a), add(hit.b, at_b));
 }
 
-// A curve that ends as near as that beside another one ends on it, or it would divide nothing.
+// A loose end of a curve that comes within the distance that counts as none of another curve ends on that
+// curve; otherwise its curve would divide nothing.
 void Cuts::add_reached(const LoopHit &hit) {
     for (const bool upper : {false, true}) {
         if (const double t = end_of(hit.a, upper); holds(hit.range_a, t) && is_loose(hit.a, upper)) {
@@ -116,7 +118,8 @@ double Cuts::end_of(size_t curve, bool upper) const noexcept {
     return upper ? domain.upper : domain.lower;
 }
 
-// Whether no curve of its loop goes on just there: others may lie between both ends. Those beside it mostly do.
+// Whether no curve of the same loop begins or ends there. The neighbours in the loop are tried first, since
+// one of them mostly does; but there may be other curves of the loop between two that continue each other.
 bool Cuts::is_loose(size_t curve, bool upper) const {
     constexpr double rounding = 0x1p-48;
     const std::vector<LoopCurve> &curves = hits_.curves();
@@ -145,7 +148,8 @@ bool Cuts::is_loose(size_t curve, bool upper) const {
     return true;
 }
 
-// An end of the curve in a range, or hardly farther from a place in it, else the nearest mark to that; null for none.
+// A mark in a range, or next to it if the curve from there to `at` is small: an end of the curve if there is
+// one, else the mark nearest to `at`; null if there is none.
 const Cuts::Mark *Cuts::mark_in(size_t curve, Interval range, double at) const {
     const Mark *best = nullptr;
     const auto rank = [&](const Mark &mark) { return std::pair(!is_end(mark), std::abs(mark.at - at)); };
@@ -167,7 +171,7 @@ const Cuts::Mark *Cuts::mark_in(size_t curve, Interval range, double at) const {
     return best;
 }
 
-// A place that is a node of one of two curves which run along each other is one of the other, too.
+// Where two curves overlap, a mark on one of them is also a mark on the other.
 void Cuts::add_marks_under_overlaps() {
     const std::set<Mark> all = found_;
     const auto mark_inside = [&](size_t curve, Interval range, auto &&add_other) {
@@ -193,7 +197,8 @@ Cuts::Mark Cuts::add(size_t curve, double t) {
     return *found_.insert({curve, at_knot(curve, t)}).first;
 }
 
-// The knot, or end, that a parameter differs from by rounding alone.
+// The nearest knot in the domain, ends included, if it differs from t by at most 2^-20 of the domain and its
+// place from that at t by no more than what counts as none; else t, clamped to the domain.
 double Cuts::at_knot(size_t curve, double t) const {
     const KnotVector &axis = hits_.curves()[curve].spline->axis(0);
     const Interval domain = axis.domain();
@@ -218,7 +223,7 @@ double Cuts::at_knot(size_t curve, double t) const {
     return best;
 }
 
-// Whether a part of a curve goes no farther than what is near.
+// Whether samples of a part of a curve stay as near to its start as a mark has to be to its node.
 bool Cuts::is_small(size_t curve, Interval range) const {
     constexpr int samples = 8;
     const Point2 from = hits_.place(curve, range.lower);
@@ -231,7 +236,7 @@ bool Cuts::is_small(size_t curve, Interval range) const {
     return true;
 }
 
-// Marks that are linked, or near each other.
+// Makes nodes of marks that are linked, or near each other.
 void Cuts::join_marks() {
     DisjointSets sets(marks_.size());
     const auto number = [&](const Mark &mark) {
@@ -252,7 +257,7 @@ void Cuts::join_marks() {
     set_nodes(names);
 }
 
-// Those at one end of a closed axis are near those at the other one.
+// Joins places near each other, across the ends of closed axes as well.
 void Cuts::join_near(const std::vector<Point2> &places, DisjointSets &sets) const {
     std::vector<intersect::Box3> boxes;
     for (const Point2 &place : places) {
@@ -282,7 +287,7 @@ bool Cuts::is_end(const Mark &mark) const noexcept {
     return mark.at == end_of(mark.curve, false) || mark.at == end_of(mark.curve, true);
 }
 
-// A set is named by the first of its marks.
+// names: of each mark, the number of its set, which is the first mark of the set.
 void Cuts::set_nodes(std::vector<size_t> &names) {
     constexpr size_t none = std::numeric_limits<size_t>::max();
     std::vector<size_t> best(marks_.size(), none);
@@ -319,7 +324,7 @@ void Cuts::add_edges() {
     }
 }
 
-// Edges of a curve whose middle is in a range, as first and last + 1.
+// The indices [first, last) of the edges of a curve whose middle is in a range.
 std::pair<size_t, size_t> Cuts::edges_in(size_t curve, Interval range) const {
     const auto middle = [](const CutEdge &edge) { return edge.range.lower / 2 + edge.range.upper / 2; };
     const auto before = [&](const CutEdge &edge, double t) {
@@ -340,7 +345,7 @@ void Cuts::add_pairs(const LoopHit &hit) {
     }
 }
 
-// The edge of b that lies beside an edge of a.
+// Pairs an edge of a with the edge of b that lies beside it.
 void Cuts::add_pair(const LoopHit &hit, size_t edge) {
     const CutEdge &own = edges_[edge];
     const double middle = own.range.lower / 2 + own.range.upper / 2;
@@ -362,7 +367,7 @@ void Cuts::add_pair(const LoopHit &hit, size_t edge) {
     }
 }
 
-// A place of a, where b is.
+// A place of a, moved by periods to where b is stored.
 Point2 Cuts::beside(const LoopHit &hit, double t) const {
     const Point2 x = hits_.place(hit.a, t);
     return {x[0] - hit.move[0], x[1] - hit.move[1]};

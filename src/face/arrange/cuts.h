@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves of a domain cut wherever they meet.
+// The curves of a domain cut into edges wherever they meet.
 #pragma once
 
 #include "base/disjoint_sets.h"
@@ -13,27 +13,30 @@ namespace nrb::face {
 
 // The part of a curve from one node to the next.
 struct CutEdge {
-    size_t curve; // of the hits
+    size_t curve; // index into the curves of the hits
     Interval range;
     size_t from, to; // nodes
 };
 
-// Edges that run along each other from end to end.
+// Two edges that run along each other from end to end.
 struct EdgePair {
     size_t a, b;
     bool against; // b runs against a
 };
 
-// Places where curves begin, end, cross, touch, and where what they have in common begins and ends are nodes; those that are
-// near each other are one. The position of a node is that of an end of a curve, bit for bit, if there is one in it.
+// Nodes are the places where curves begin, end, cross or touch, and where overlaps begin and end. A mark is
+// the parameter of a curve at such a place. Marks that a hit links, and marks near each other, are one node.
+// If one of them is the end of a curve, the node is at that end bit for bit.
 class Cuts {
 public:
-    // near: in the units of the hits; nodes are in the domain along closed axes. Throws Status::not_converged where what curves have in common is left open, or differs
-    // from one of them to the other.
+    // near: the distance that counts as none, in the units of the hits. Along closed axes nodes lie in the
+    // domain. Throws Status::not_converged where the hits leave open what two curves have in common, where
+    // the edges of two curves do not correspond along an overlap, or where the marks of a node are far apart.
     Cuts(const Covering &covering, const LoopHits &hits, double near);
 
     [[nodiscard]] const std::vector<Point2> &nodes() const noexcept { return nodes_; }
-    // By curves and parameters, without those that are no longer than what is near.
+    // Sorted by curve and parameter. Parts of a curve that begin and end at one node are left out if they go
+    // no farther than the marks of a node may lie from it.
     [[nodiscard]] const std::vector<CutEdge> &edges() const noexcept { return edges_; }
     [[nodiscard]] const std::vector<EdgePair> &pairs() const noexcept { return pairs_; }
 
@@ -73,9 +76,9 @@ private:
     const LoopHits &hits_;
     double near_;
     std::set<Mark> found_;
-    std::vector<Mark> marks_; // the same, all of them
-    std::vector<std::pair<Mark, Mark>> links_;
-    std::vector<size_t> node_of_; // of the marks
+    std::vector<Mark> marks_;                  // the same when it is complete, sorted
+    std::vector<std::pair<Mark, Mark>> links_; // marks of one node
+    std::vector<size_t> node_of_;              // by marks
     std::vector<Point2> nodes_;
     std::vector<CutEdge> edges_;
     std::vector<EdgePair> pairs_;

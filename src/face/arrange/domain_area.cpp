@@ -12,7 +12,8 @@ namespace nrb::face {
 
 namespace {
 
-// The integral of a value at the upper ends of columns, times their height.
+// The integral over u of the value at the upper end of the column at u, times the height of the domain. That
+// value changes only where loops pass the seam of axis 1.
 template <class Value>
 double area_from_top(const Covering &covering, std::span<const SeamPassage> passages, Value &&value) {
     const auto [lower, upper] = covering.domain(0);
@@ -29,14 +30,15 @@ double area_from_top(const Covering &covering, std::span<const SeamPassage> pass
     return area * covering.period(1);
 }
 
-// The integral of the height of a piece, from its start to its end, by parts.
+// The integral of v - low along a piece from (u0, v0) to (u1, v1), by parts:
+//     int (v - low) du = (u1 - u0) (v1 - low) - int (u - u0) dv.
 double area_under(const TrimPieces &pieces, const TrimPiece &piece, double low) {
     LoopShape shape;
     add_area(pieces, piece, 1, piece.start, shape);
     return (piece.end[0] - piece.start[0]) * (piece.end[1] - low) - shape.area;
 }
 
-// In units of about a period.
+// The length of the chords of all pieces, in units of about a period.
 double length_of(const Arrangement &arrangement) {
     double length = 0;
     for (const TrimPiece &piece : arrangement.columns().pieces().all()) {
@@ -73,7 +75,7 @@ double domain_area(const Arrangement &arrangement, std::span<const DirectedEdge>
 }
 
 void check_area(const Arrangement &arrangement, std::span<const FacePtr> faces, double expected) {
-    constexpr double most_times = 64; // what is near, along all edges
+    constexpr double most_times = 64; // of the distance that counts as none, along all edges
     double found = 0;
     for (const FacePtr &face : faces) {
         found += domain_area(*face);

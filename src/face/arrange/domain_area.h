@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of a domain is covered: by faces, as they are told in the end, and by parts of an arrangement, as they were meant.
+// How much of a domain is covered: by the faces of a result, and by the parts of an arrangement from which
+// they were made. The comparison checks the result.
 #pragma once
 
 #include "face/arrange/arrangement.h"
@@ -10,15 +11,17 @@
 
 namespace nrb::face {
 
-// As the map of sides of a face tells it, whatever made its loops: the integral over the columns of what is inside.
+// The area in the domain of what the trim map of a face has inside, however its loops were made: the integral
+// of the value, 1 inside and 0 outside, column by column.
 double domain_area(const Face &face);
 
-// What edges have to their left, if at_top tells whether the upper end of a column is there.
+// The area to the left of the edges of a border. at_top: whether the upper end of the column at u is inside.
 double domain_area(const Arrangement &arrangement, std::span<const DirectedEdge> border,
                    const std::function<bool(double u)> &at_top);
 
-// Throws Status::not_converged if faces cover another area of the domain than they should by more than what is near can make of all
-// edges: a wrong part is worse than none.
+// Throws Status::not_converged if the area of the domain that faces cover differs from the expected one by
+// more than moving all edges by a multiple of the distance that counts as none can explain: a wrong part is
+// worse than none.
 void check_area(const Arrangement &arrangement, std::span<const FacePtr> faces, double expected);
 
 } // namespace nrb::face

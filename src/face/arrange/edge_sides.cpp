@@ -11,7 +11,7 @@ namespace nrb::face {
 
 namespace {
 
-// Places of an edge that are looked at before it counts as hidden by others.
+// How many places of an edge are tried before it counts as hidden by others.
 constexpr int most_probes = 16;
 
 void add_steps(const Arrangement &arrangement, PassedSums &sums, size_t edge, int times) {
@@ -31,6 +31,7 @@ PassedSums without_zeros(PassedSums sums) {
     return result;
 }
 
+// Finds the values on both sides of one edge.
 class Beside {
 public:
     Beside(const Arrangement &arrangement, const PassedSums &at_corner, size_t edge)
@@ -65,7 +66,7 @@ private:
         std::ranges::stable_sort(own, std::ranges::greater{}, size);
         return own;
     }
-    // The values at a place above which a piece does not count; none if it lies on another one.
+    // The values at a place as if the piece `except` were not there; none if the place is on another piece.
     [[nodiscard]] std::optional<PassedSums> values(const Point2 &x, const TrimPiece &except) const {
         PassedSums sums = at_corner_;
         const auto number = static_cast<size_t>(&except - columns().pieces().all().data());
@@ -74,7 +75,7 @@ private:
         });
         return on ? std::nullopt : std::optional(without_zeros(std::move(sums)));
     }
-    // With the step of the edge, from its right to its left or back.
+    // The values after a step over the edge: from its right to its left for times = 1, back for -1.
     [[nodiscard]] PassedSums stepped(PassedSums from, int times) const {
         add_steps(arrangement_, from, edge_, times);
         return without_zeros(std::move(from));
@@ -82,7 +83,8 @@ private:
     [[nodiscard]] SideValues sides_of(const PassedSums &found, bool is_left) const {
         return is_left ? SideValues{found, stepped(found, -1)} : SideValues{stepped(found, 1), found};
     }
-    // What is passed from above the piece; no other one may be as near as rounding moves both.
+    // At a place on the piece, with the piece left out, the values are those above it. The same values at
+    // four places around it show that no other piece is as near as rounding may move both.
     [[nodiscard]] std::optional<SideValues> beside(const TrimPiece &piece, double share) const {
         const double u = piece.lower[0] + share * (piece.upper[0] - piece.lower[0]);
         const double v = columns().pieces().point(piece, columns().pieces().place_of(piece, 0, u))[1];
@@ -95,7 +97,7 @@ private:
             });
         return alone ? std::optional(sides_of(*found, piece.start[0] < piece.end[0])) : std::nullopt;
     }
-    // To the right of the piece and to its left, which have to differ by the piece alone.
+    // At places to the right of an upright piece and to its left, which have to differ by its step alone.
     [[nodiscard]] std::optional<SideValues> beside_upright(const TrimPiece &piece, double share) const {
         const double v = piece.lower[1] + share * (piece.upper[1] - piece.lower[1]);
         const bool up = piece.start[1] < piece.end[1];
@@ -110,8 +112,9 @@ private:
     size_t edge_;
 };
 
-// From one edge to those that it goes on in, as long as nothing else comes to the node between them: loops run on in one
-// direction, and curves that do not count have the same at both sides.
+// Passes values on along chains of edges, as long as no other edge comes to the node between two of them: a
+// loop along the first edge continues along the second in the same direction, and curves that do not count
+// have the same values on both sides.
 class EdgeChains {
 public:
     EdgeChains(const Arrangement &arrangement, const PassedSums &at_corner)
@@ -154,7 +157,7 @@ private:
                 return;
             }
             known_[next.edge] = known_[edge.edge];
-            if (next.back != edge.back) { // edges of which one runs against the other
+            if (next.back != edge.back) { // one of the edges runs against the other
                 std::swap(known_[next.edge]->left, known_[next.edge]->right);
             }
             edge = next;
@@ -163,7 +166,7 @@ private:
 
     const Arrangement &arrangement_;
     const PassedSums &at_corner_;
-    std::vector<std::vector<DirectedEdge>> outs_; // of each node
+    std::vector<std::vector<DirectedEdge>> outs_; // half-edges that leave each node
     std::vector<std::optional<SideValues>> known_;
 };
 

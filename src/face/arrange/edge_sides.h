@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies at the sides of the edges of an arrangement.
+// The values of owners on both sides of the edges of an arrangement.
 #pragma once
 
 #include "face/arrange/arrangement.h"
@@ -8,16 +8,18 @@
 
 namespace nrb::face {
 
-// The values of owners, by their numbers, without those that are 0.
+// The values of owners, sorted by the numbers of these, without zeros.
 struct SideValues {
     PassedSums left, right;
 };
 
-// Of all edges, if there are so many around the corner of a domain both of whose axes close: at a place of each that is away from all others, once for edges that go on in each other alone. Throws
-// Status::not_converged where rounding hides that everywhere.
+// The values beside all edges. at_corner: the values at the corner of a domain both of whose axes close;
+// empty for others. Each edge is probed at a place away from all other edges; edges that continue each other
+// through nodes where no other edge ends are probed once. Throws Status::not_converged where rounding hides
+// the values at all places that are tried.
 std::vector<SideValues> values_beside(const Arrangement &arrangement, const PassedSums &at_corner);
 
-// At the upper end of the column at u, from what lies at the corner.
+// The values at the upper end of the column at u, from those at the corner.
 PassedSums values_at_top(const Arrangement &arrangement, const PassedSums &at_corner, double u);
 
 } // namespace nrb::face

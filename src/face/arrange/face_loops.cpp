@@ -22,7 +22,7 @@ bool is_rounding(const Covering &covering, const Joint &joint) noexcept {
            std::abs(joint.to[1] - joint.from[1]) <= rounding * covering.period(1);
 }
 
-// A part of an end of the domain.
+// The end of the domain that a part lies along: 0 for the lower end of the axis, 1 for the upper one.
 struct End {
     int axis;
     int end;
@@ -30,11 +30,12 @@ struct End {
     End(const Covering &covering, const EndPart &part) noexcept
         : axis(part.from[0] == part.to[0] ? 0 : 1),
           end(part.from[static_cast<size_t>(axis)] == covering.domain(axis).upper ? 1 : 0) {}
-    // With the domain to the left.
+    // Whether the direction that has the domain to the left is that to smaller parameters.
     [[nodiscard]] bool runs_back() const noexcept { return (axis == 0) == (end == 0); }
 };
 
-// What loops alone go around beyond an end: the sum of all that is passed in its column, or along the seam.
+// The value that the loops alone leave beyond an end of the domain: the value at the corner and all that is
+// passed on the way from there, along the seam and, for the lower end of axis 1, down a column.
 int value_beyond(const Face &face, const EndPart &part, const End &end) {
     const TrimMap &trims = face.trims();
     const Covering &covering = face.covering();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that bounds a face, as curves of an arrangement.
+// The complete boundary of a face, as loops for an arrangement.
 #pragma once
 
 #include "face/arrange/arrangement.h"
@@ -7,17 +7,19 @@
 
 namespace nrb::face {
 
-// Of the curves of all loops, in space: what has to be one place, however little the details of a face are. Its tolerance says how far
-// edges may be off it, which in files is often more.
+// The largest gap in space between consecutive curves of the loops of a face: places so far apart have to
+// count as one, however small the details of the face are. The tolerance of the face is no substitute, since
+// it also says how far edges may be off the surface, which in files is often more.
 double largest_gap(const Face &face);
 
-// Its loops in their order, then what they leave open: segments that close gaps, and those along ends of the domain, poles among
-// them, which the face reaches without a curve. Together they go around places of the face once and around others never, if the domain is not
-// closed along both axes.
+// The loops of a face in their order, and then what they leave open: segments that close gaps, and segments
+// along those ends of the domain, poles included, that the face reaches without a curve. Unless the domain is
+// closed along both axes, all of these together go around places of the face once and around others never.
 std::vector<ArrangedLoop> loops_of(const Face &face, int32_t owner);
 
-// How often faces go around the corner of the arrangement, by owners, where that cannot be counted from outside: where both axes
-// are closed. Throws Status::not_converged if a face has the corner on its border.
+// The values of owners at the corner of the domain of an arrangement: how many faces of each owner contain
+// it. They are needed where both axes are closed, so that there is no outside from which to count; elsewhere
+// they are 0. add() throws Status::not_converged if the corner is on the border of the face.
 class AtCorner {
 public:
     explicit AtCorner(const Arrangement &arrangement);

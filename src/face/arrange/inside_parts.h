@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of an arrangement that are inside by the values of owners.
+// The parts of an arrangement that are inside, by a rule for the values of owners.
 #pragma once
 
 #include "face/arrange/parts.h"
@@ -13,18 +13,18 @@ namespace nrb::face {
 
 using Inside = std::function<bool(const PassedSums &)>;
 
-// What is inside on both sides of an edge, and what on none, is not divided by it.
+// An edge bounds parts if the inside is on one side of it only.
 class InsideParts {
 public:
     InsideParts(const Arrangement &arrangement, PassedSums at_corner, Inside inside);
 
     [[nodiscard]] const std::vector<PartLoops> &list() const noexcept { return parts_; }
-    // Edges that have the inside to their left only.
+    // The half-edges with the inside to their left and not to their right.
     [[nodiscard]] const std::vector<DirectedEdge> &border() const noexcept { return border_; }
-    // Edges in whose members `counts` tells interest, and beside which nothing is inside.
+    // The edges that `counts` accepts and that have the inside on neither side.
     [[nodiscard]] std::vector<DirectedEdge>
     outer_edges(const std::function<bool(const Arrangement::Edge &)> &counts) const;
-    // What check_area() does, of faces that were made of the parts.
+    // check_area() for faces that were made of the parts.
     void check(std::span<const FacePtr> faces) const;
 
 private:
@@ -32,7 +32,7 @@ private:
     PassedSums at_corner_;
     Inside inside_;
     std::vector<DirectedEdge> border_;
-    std::vector<bool> within_; // of edges: whether something beside them is inside
+    std::vector<bool> within_; // by edges: whether either side is inside
     std::vector<PartLoops> parts_;
 };
 

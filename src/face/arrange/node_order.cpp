@@ -9,18 +9,18 @@ namespace nrb::face {
 
 namespace {
 
-// A piece as an edge runs over it.
+// The piece by which an edge that leaves the node is compared with others.
 struct Lead {
     DirectedEdge edge;
-    size_t piece; // of those that are compared
-    int sector;   // of eight: even ones are the directions of the axes
+    size_t piece; // index into the set of pieces that are compared
+    int sector;   // of eight: even ones are the directions of the axes, odd ones the quadrants between
 };
 
 int sign(double x) noexcept {
     return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
 
-// From 0, the direction of axis 0, counterclockwise. What rounding sets off an axis is on it.
+// Counterclockwise from 0, the direction of axis 0. A step that only rounding sets off an axis is on it.
 int sector_of(const Point2 &step, const Point2 &room) noexcept {
     constexpr std::array<std::array<int, 3>, 3> sectors{{{5, 4, 3}, {6, 0, 2}, {7, 0, 1}}};
     const bool upright = std::abs(step[0]) <= room[0] && std::abs(step[1]) > room[1],
@@ -37,7 +37,8 @@ public:
         }
     }
 
-    // The first piece that leads farther from the node than rounding moves it.
+    // The first piece whose far end is farther from the node than far_enough times the distance that counts
+    // as none; else the piece with the farthest end.
     [[nodiscard]] Lead lead(DirectedEdge edge) {
         const auto pieces = arrangement_.plane_pieces(edge.edge);
         const Point2 &node = edge.back ? pieces.back().end : pieces.front().start;
@@ -62,14 +63,15 @@ public:
         best.piece = compared(*found, edge);
         return best;
     }
-    // 1 if b is above a, -1 if below, 0 if rounding hides it.
+    // 1 if b is above a, -1 if it is below, 0 if rounding hides which.
     [[nodiscard]] int order(const Lead &a, const Lead &b) const noexcept {
         const TrimPieces &set = arrangement_.closes() ? moved_ : arrangement_.plane();
         return set.order(set.all()[a.piece], set.all()[b.piece]);
     }
 
 private:
-    // Edges that come from another copy of the domain are moved to that of the node.
+    // The index of a piece in the set of pieces that are compared. An edge run over backwards may leave from
+    // another copy of the node; its piece is moved to that of the others.
     size_t compared(const TrimPiece &piece, DirectedEdge edge) {
         const TrimPieces &plane = arrangement_.plane();
         if (!arrangement_.closes()) {
@@ -92,7 +94,7 @@ void sort_around_node(const Arrangement &arrangement, std::vector<DirectedEdge> 
     Leads leads(arrangement);
     std::vector<Lead> sorted;
     bool undecided = false;
-    // Pairs are compared once each, so that an order that rounding makes does no harm.
+    // Insertion sort: it compares each pair at most once, so that inconsistent comparisons do no harm.
     const auto before = [&](const Lead &a, const Lead &b) {
         if (a.sector != b.sector) {
             return a.sector < b.sector;

@@ -9,6 +9,7 @@ namespace nrb::face {
 
 namespace {
 
+// The half-edge over a piece that has to its left what is below the piece.
 DirectedEdge left_below(const TrimPiece &piece) noexcept {
     return {static_cast<size_t>(piece.loop), piece.start[0] < piece.end[0]};
 }
@@ -56,7 +57,8 @@ size_t PartsWithin::Seam::at(double place) const noexcept {
     return first + (round && count == contacts.size() ? 0 : count);
 }
 
-// To the left of those who run along axis 0 is what has larger parameters on axis 1, and the other way round.
+// A way that crosses the seam belongs to the stretch on its left: that with larger v if it crosses the seam
+// of axis 0 to larger u, that with smaller u if it crosses the seam of axis 1 to larger v.
 void PartsWithin::join_seam(int k, DisjointSets &sets) {
     const Seam &seam = seams_[static_cast<size_t>(k)];
     for (size_t i = 0; i < seam.contacts.size(); ++i) {
@@ -98,7 +100,7 @@ std::vector<PartLoops> PartsWithin::list(bool around_corner) const {
     return result;
 }
 
-// Of a way that may end in another copy of the domain.
+// The area to the left of a way, and whether it ends in another copy of the domain than it begins in.
 LoopShape PartsWithin::shape_of(const EdgeLoop &way) const {
     const Point2 &origin = arrangement_.nodes()[arrangement_.from(way.front())];
     LoopShape shape;
@@ -120,7 +122,7 @@ bool PartsWithin::is_nothing(size_t way) const noexcept {
     return !shapes_[way].around && std::abs(shapes_[way].area) <= shapes_[way].noise;
 }
 
-// What passes a seam, or goes around a closed axis, belongs to what is beside it there.
+// A way that crosses a seam, or goes around a closed axis, gets its part from the seam instead.
 bool PartsWithin::is_hole(size_t way) const noexcept {
     return !is_nothing(way) && shapes_[way].area < 0 && !shapes_[way].around && !at_seam_[way];
 }
@@ -137,8 +139,9 @@ Point2 PartsWithin::top_of(const EdgeLoop &way) const {
     return top;
 }
 
-// The way that bounds what is above the highest place of another one, from above: what comes to that place is not above it. If nothing
-// does, that is at the seam of axis 1.
+// What bounds, from above, the part right above the highest place of a way: the way of the lowest piece of
+// the border above that place in its column, where pieces that end at the place do not count; or, if there is
+// no such piece, the stretch of the seam of axis 1.
 size_t PartsWithin::element_above(const EdgeLoop &way) const {
     const Point2 top = top_of(way);
     const TrimPieces &all = arrangement_.columns().pieces();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a domain, each in one piece, that edges of an arrangement bound.
+// The connected parts of a domain that edges of an arrangement bound.
 #pragma once
 
 #include "base/disjoint_sets.h"
@@ -11,28 +11,29 @@
 
 namespace nrb::face {
 
-// The loops of a part: one around it, and those around holes.
+// The loops of a part: the one around it, and those around its holes.
 using PartLoops = std::vector<EdgeLoop>;
 
-// Parts to the left of edges, which are all that bound them: a loop around a hole belongs to the part that lies above its
-// highest place, and what lies at a seam between two places where edges pass it to the parts beside these. Loops that enclose
-// nothing to rounding are left out. Throws Status::not_converged where edges do not go on, or
-// rounding hides what is above.
+// The parts to the left of the half-edges of a border, which bound them completely. The ways, the cyclic
+// chains of these half-edges, are united into parts by disjoint sets. A way around a hole belongs to the part
+// right above its highest place. The stretch of a seam between two places where the border crosses it belongs
+// to the parts of the ways that cross there. Loops that enclose nothing to rounding are left out. Throws
+// Status::not_converged where half-edges have no continuation, or rounding hides what is above a hole.
 class PartsWithin {
 public:
     PartsWithin(const Arrangement &arrangement, const std::vector<DirectedEdge> &border);
 
-    // The name of a part, for edges of the border.
+    // The name of the part to the left of a half-edge of the border.
     [[nodiscard]] size_t part_left_of(DirectedEdge edge) const { return names_[way_of_.at(edge)]; }
-    // around_corner: whether the corner of a domain both of whose axes close is in a part, which need not have loops.
+    // around_corner: whether the corner of a domain both of whose axes close is in a part, with loops or not.
     [[nodiscard]] std::vector<PartLoops> list(bool around_corner) const;
 
 private:
-    // What lies along a seam between contacts is an element of the sets, too.
+    // The stretches of a seam between contacts, each of which is an element of the disjoint sets.
     struct Seam {
         std::vector<SeamContact> contacts; // with edges of the border
-        size_t first = 0;                  // element: what is below the first contact
-        bool round = false;                // what is above the last one, too
+        size_t first = 0;                  // the element of the stretch below the first contact
+        bool round = false;                // that stretch is also the one above the last contact
         [[nodiscard]] size_t below(size_t contact) const noexcept { return first + contact; }
         [[nodiscard]] size_t above(size_t contact) const noexcept {
             return first + (round && contact + 1 == contacts.size() ? 0 : contact + 1);
@@ -54,7 +55,7 @@ private:
     std::vector<EdgeLoop> ways_;
     std::vector<LoopShape> shapes_;
     std::map<DirectedEdge, size_t> way_of_;
-    std::vector<bool> at_seam_; // ways that pass a seam
+    std::vector<bool> at_seam_; // by ways: whether they cross a seam
     std::array<Seam, 2> seams_;
     std::vector<size_t> names_; // of parts, by ways
     size_t corner_name_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that are affine maps of their domain.
+// Plane parallelograms as affine maps of their domain.
 #pragma once
 
 #include "spline/spline.h"
@@ -13,11 +13,12 @@ namespace nrb::face {
 struct PlaneMap {
     std::vector<double> matrix, move;
 
-    // What becomes of a curve of the domain, of the same degree.
+    // The image of a curve in the domain, which has the same degree.
     [[nodiscard]] SplinePtr image(const Spline &curve) const;
 };
 
-// Of a parallelogram of degree 1, to rounding; none for other surfaces.
+// Of a polynomial surface of 2 x 2 control points, taken to be of degree 1, that form a parallelogram to
+// rounding; none for other surfaces.
 std::optional<PlaneMap> plane_map(const Spline &surface);
 
 } // namespace nrb::face

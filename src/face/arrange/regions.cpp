@@ -21,7 +21,7 @@ namespace nrb::face {
 
 namespace {
 
-// The plane z = 0 over a square, with the coordinates as parameters.
+// The plane z = 0 over a rectangle, with the coordinates as parameters.
 SplinePtr plane_over(const Interval &x, const Interval &y) {
     std::vector<double> points;
     for (const double u : {x.lower, x.upper}) {
@@ -36,7 +36,8 @@ SplinePtr plane_over(const Interval &x, const Interval &y) {
     return make_result({axis(x), axis(y)}, 3, Form::polynomial, std::move(points));
 }
 
-// A square, so that distances count alike along both axes, around a box, with some room. Null for a box that is one point.
+// The plane over a square somewhat larger than a box; a square, so that distances count alike along both
+// axes. Null for a box that is one point.
 SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
     const double size = std::max(upper[0] - lower[0], upper[1] - lower[1]);
     if (!(size > 0)) {
@@ -68,10 +69,10 @@ bool are_equal(const Spline &a, const Spline &b) {
            std::ranges::equal(a.points(), b.points()) && std::ranges::equal(a.weights(), b.weights());
 }
 
-// The region of the places that are inside by the values of owners.
+// Makes the faces of what is inside, by a rule for the values of owners.
 class RegionMaker {
 public:
-    // tolerance: of the faces; near: what counts as no distance.
+    // tolerance: of the faces; near: the distance in space that counts as none.
     RegionMaker(SplinePtr surface, double tolerance, double near)
         : surface_(std::move(surface)), tolerance_(tolerance), near_(near), covering_(*surface_, tolerance),
           map_(plane_map(*surface_)) {}
@@ -111,7 +112,7 @@ private:
                 own.push_back({curve_of(arrangement, run), nullptr});
                 own.back().edge = map_ ? map_->image(*own.back().curve) : nullptr;
             }
-            if (!own.empty()) { // those around poles are
+            if (!own.empty()) { // loops around poles are
                 parts.tolerance = std::max(parts.tolerance, largest_gap(*surface_, covering_, own));
                 parts.loops.push_back(std::move(own));
             }
@@ -141,7 +142,8 @@ Inside inside_by(FillRule rule) {
     }
 }
 
-// Values of a have the owner 0, those of b the owner 1. Faces in one of them are inside of it as often as they cover a place.
+// The faces of a have the owner 0, those of b the owner 1. Owners whose value is 0 are not listed; where
+// faces of one owner overlap its value is the number of these.
 Inside inside_by(RegionRule rule) {
     const auto holds = [](const PassedSums &values, int32_t owner) {
         return std::ranges::find(values, owner, &PassedSum::loop) != values.end();
@@ -170,7 +172,7 @@ SplinePtr plane_of(std::span<const SplinePtr> curves) {
     return plane_around(lower, upper);
 }
 
-// Curves as loops that they make one after the other: one ends where it comes back to its start.
+// Curves in sequence, grouped into loops: a loop ends with the curve that comes back to its start.
 class Chains {
 public:
     Chains(std::span<const SplinePtr> curves, double near) : curves_(curves), near_(near) {}
@@ -209,7 +211,7 @@ private:
     double near_;
 };
 
-// That of all faces, or a plane over all of theirs.
+// The surface of all faces; for regions with different planes z = 0, one such plane over all their domains.
 class CommonSurface {
 public:
     void add(const Face &face, const char *name, size_t number) {
@@ -233,7 +235,7 @@ public:
             fail(Status::gap, "%s[%zu] has gaps larger than its tolerance", name, number);
         }
         tolerance_ = std::max(tolerance_, face.tolerance());
-        // That of a region of the plane was asked for.
+        // For a region of the plane its tolerance, which was asked for; for other faces see largest_gap().
         near_ = std::max(near_, is_region_plane(*own) ? face.tolerance() : largest_gap(face));
     }
 
@@ -249,7 +251,7 @@ private:
 } // namespace
 
 std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule, double tolerance) {
-    constexpr double rounding = 0x1p-44; // of the size of all: ends so near are one
+    constexpr double rounding = 0x1p-44; // of the size of all curves: ends so near are one
     check_border_curves(curves);
     const SplinePtr plane = curves.empty() ? nullptr : plane_of(curves);
     if (plane == nullptr) {

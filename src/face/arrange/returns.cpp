@@ -12,7 +12,7 @@ namespace nrb::face {
 
 namespace {
 
-using Directions = std::array<int, 2>; // of both coordinates: 1, -1, or 0 for one that stays
+using Directions = std::array<int, 2>; // of both coordinates: 1, -1, or 0 for a constant one
 
 Directions directions_of(const TrimPiece &piece, double least) noexcept {
     Directions result{};
@@ -23,6 +23,7 @@ Directions directions_of(const TrimPiece &piece, double least) noexcept {
     return result;
 }
 
+// Whether at least one coordinate reverses and none continues in its direction.
 bool turns_back(const Directions &from, const Directions &to) noexcept {
     return from[0] * to[0] <= 0 && from[1] * to[1] <= 0 && from[0] * to[0] + from[1] * to[1] < 0;
 }
@@ -32,7 +33,7 @@ bool turns_back(const Directions &from, const Directions &to) noexcept {
 std::vector<double> places_of_return(const Spline &curve) {
     constexpr double rounding = 0x1p-40; // of the size of the curve
     TrimPieces pieces;
-    const SplinePtr own(&curve, [](const Spline *) {}); // for the time of the call
+    const SplinePtr own(&curve, [](const Spline *) {}); // owns nothing: used during the call only
     append_monotone({{own}}, 0, {0, 0}, pieces);
     double size = 0;
     for (const TrimPiece &piece : pieces.all()) {
@@ -44,7 +45,7 @@ std::vector<double> places_of_return(const Spline &curve) {
     for (const TrimPiece &piece : pieces.all()) {
         const Directions own_directions = directions_of(piece, rounding * size);
         if (own_directions == Directions{} || piece.range.lower == piece.range.upper) {
-            continue; // between two turns, or what closes the curve
+            continue; // between two turns, or the segment that closes the curve
         }
         if (turns_back(before, own_directions)) {
             places.push_back(piece.range.lower);

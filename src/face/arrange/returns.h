@@ -8,8 +8,9 @@
 
 namespace nrb::face {
 
-// The parameters, in their order, at which both coordinates of a curve turn at once, as at the tip of a fold: what comes there and
-// what leaves it are two curves to those that search for meets. Both may turn in two places that hardly differ.
+// The parameters, ascending, at which both coordinates of a curve reverse at once, as at a cusp. A search for
+// intersections has to take the curve before and after such a place as two curves. The two coordinates may
+// reverse at parameters that differ by little more than rounding.
 std::vector<double> places_of_return(const Spline &curve);
 
 } // namespace nrb::face

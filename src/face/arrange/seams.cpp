@@ -16,7 +16,7 @@ namespace {
          Number(at).text, k);
 }
 
-// The widest gap between the ends of pieces along a closed axis, which may run over the end of the domain.
+// The widest gap between the ends of pieces along a closed axis. It may extend beyond the end of the domain.
 Interval widest_gap(const TrimPieces &plane, const Covering &covering, int k) {
     const auto at = static_cast<size_t>(k);
     std::vector<double> ends;
@@ -39,7 +39,7 @@ Interval widest_gap(const TrimPieces &plane, const Covering &covering, int k) {
     return widest;
 }
 
-// Calls visit(piece, u) for all copies of a line u = at that a piece passes.
+// Calls visit(u) for all copies of the line u = at that a piece crosses.
 template <class Visit>
 void for_each_passage(const TrimPiece &piece, double at, double period, Visit &&visit) {
     auto copy = static_cast<int64_t>(std::ceil((piece.lower[0] - at) / period));
@@ -49,7 +49,7 @@ void for_each_passage(const TrimPiece &piece, double at, double period, Visit &&
     }
 }
 
-// Of a place of axis 1, from where pieces pass the seam of axis 0.
+// The distance of a place on the seam of axis 0 from the nearest crossing of a piece with that seam.
 class Clearance {
 public:
     Clearance(const TrimPieces &plane, const Covering &covering, double seam) : covering_(covering) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines along which a domain that closes up is cut open, so that what lies in it is in a plane.
+// Seams: lines along which a domain that closes up is cut open, so that it becomes a rectangle of the plane.
 #pragma once
 
 #include "face/trims/fold.h"
@@ -8,18 +8,21 @@
 
 namespace nrb::face {
 
-// Where the domain should begin along its closed axes: in the widest gaps between all ends of pieces, so that each piece that comes to
-// a seam passes it from one side of the gap to the other, and meets no other one in it. Where both axes are closed the corner is away
-// from all pieces. Throws Status::not_converged if gaps are no wider than so many times what rounding moves places by.
+// Where the domain should begin along its closed axes: in the widest gap between the ends of all pieces. A
+// piece that reaches such a seam crosses it from one side of the gap to the other, and meets no other piece
+// in the gap. Where both axes are closed, the corner is also away from all pieces. rounding: by how much
+// rounding moves places along each axis; throws Status::not_converged if a gap, or the distance of the corner
+// from a piece, is less than a multiple of that.
 Point2 seams_for(const TrimPieces &plane, const Covering &covering, const Point2 &rounding);
 
 struct SeamContact {
-    int32_t chain; // the number of its pieces
-    double at;     // along the seam
+    int32_t chain; // the `loop` of its pieces
+    double at;     // the place along the seam
     bool forward;  // to larger parameters on the axis that closes there
 };
 
-// Where chains pass the seam of axis k, by `at`. Throws Status::not_converged where rounding hides which comes first.
+// Where chains cross the seam of axis k, sorted by `at`. Throws Status::not_converged where two of them are
+// so near each other that rounding hides which comes first.
 std::vector<SeamContact> seam_contacts(const FoldedPieces &folded, const Covering &covering, int k,
                                        double rounding);
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int32_t of_face = 0, of_curves = -1;
 
-// The edges that bound parts, each with a part to its left: those inside of the face that curves run along, both ways.
+// The half-edges with the face to their left. Edges along curves inside the face occur in both directions.
 std::vector<DirectedEdge> dividing_edges(const Arrangement &arrangement, const PassedSums &at_corner) {
     std::vector<DirectedEdge> result;
     const std::vector<SideValues> sides = values_beside(arrangement, at_corner);
@@ -41,7 +41,8 @@ bool is_of_curves(const Arrangement &arrangement, const Arrangement::Member &mem
     return arrangement.loop(arrangement.cuts().edges()[member.cut]).owner == of_curves;
 }
 
-// Without those that have one part on both sides, of which a curve that is among them is told.
+// Removes the edges with the same part on both sides. If a dividing curve runs along one of these, `loose`
+// becomes a place of it.
 std::vector<DirectedEdge> between_parts(const Arrangement &arrangement, std::vector<DirectedEdge> edges,
                                         std::optional<Point2> &loose) {
     const PartsWithin parts(arrangement, edges);
@@ -60,7 +61,7 @@ std::vector<DirectedEdge> between_parts(const Arrangement &arrangement, std::vec
     return edges;
 }
 
-// Of the curves that run along the loops of a part.
+// Notes on which sides of the dividing curves along its loops a part lies.
 void set_sides(const Arrangement &arrangement, const PartLoops &loops, SplitPart &part) {
     for (const EdgeLoop &loop : loops) {
         for (const DirectedEdge edge : loop) {
@@ -73,7 +74,7 @@ void set_sides(const Arrangement &arrangement, const PartLoops &loops, SplitPart
     }
 }
 
-// Nodes at which more than two ways go on.
+// By nodes: whether more than two edges meet there.
 std::vector<bool> forks(const Arrangement &arrangement, const std::vector<DirectedEdge> &edges) {
     std::vector<std::vector<size_t>> at(arrangement.nodes().size());
     for (const DirectedEdge edge : edges) {
@@ -88,7 +89,7 @@ std::vector<bool> forks(const Arrangement &arrangement, const std::vector<Direct
     return result;
 }
 
-// Coedges of the parts; those of one run to both sides have one edge.
+// Makes the coedges of the parts. Those on both sides of one run have a common edge.
 class Coedges {
 public:
     Coedges(const Face &face, const Covering &covering, const Arrangement &arrangement, double tolerance)
@@ -121,11 +122,11 @@ public:
 
 private:
     struct Made {
-        SplinePtr edge; // along the curve
+        SplinePtr edge; // in the direction of the curve
         int64_t key;
     };
 
-    // The coedge that a run is of; null for those of the curves that divide.
+    // The coedge of the face that a run is a part of; null for a part of a dividing curve.
     [[nodiscard]] const Coedge *source(const Run &run) const {
         const Arrangement::Origin &own = arrangement_.origin(arrangement_.cuts().edges()[run.first]);
         return own.loop < face_.loops().size() ? &face_.loops()[own.loop][own.index] : nullptr;
@@ -145,8 +146,9 @@ private:
         const size_t from = cuts[name.first].from, to = cuts[name.second].to;
         return made_.emplace(name, Made{snapped(snapped(edge, false, from), true, to), key}).first->second;
     }
-    // Edges that come to a node end in one point, bit for bit: curves end there to within the tolerance, which parameters need not
-    // tell evenly.
+    // Makes all edges that come to a node end in one point, bit for bit. Curves end there to within the
+    // tolerance as the domain measures it. Since parameters may be spread unevenly in space, edges may be
+    // moved by a few tolerances.
     [[nodiscard]] SplinePtr snapped(const SplinePtr &edge, bool upper, size_t node) {
         constexpr double rounding = 0x1p-40; // of the size of the surface
         auto [known, fresh] = points_.try_emplace(node);
@@ -163,10 +165,10 @@ private:
     std::optional<PlaneMap> map_;
     int64_t last_key_ = 0;
     std::map<std::pair<size_t, size_t>, Made> made_;
-    std::map<size_t, std::vector<double>> points_; // of nodes
+    std::map<size_t, std::vector<double>> points_; // of nodes, in space
 };
 
-// A part with these loops, without those that are points of space, as those around poles are.
+// The face of a part, without loops that are points of space, such as those around poles.
 FacePtr face_of(const Face &face, const Arrangement &arrangement, const PartLoops &part,
                 const std::vector<bool> &ends, double tolerance, Coedges &coedges) {
     FaceParts parts{face.surface(), {}, tolerance, true};

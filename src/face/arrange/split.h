@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces cut along curves in the domain of their surface.
+// Faces split along curves in the domain of their surface.
 #pragma once
 
 #include "face/face.h"
@@ -12,16 +12,17 @@ namespace nrb::face {
 
 using FacePtr = std::shared_ptr<const Face>;
 
-// The parts of a face, each in one piece, that curves divide it into; what of these lies outside, and what ends inside without
-// dividing anything, has no effect. Parts of the same curve to both sides have one edge in space with one key. Coedges that stay
-// whole keep their edges and keys. Throws Status::gap for a face with gaps, not_converged where rounding would have to decide.
+// The connected parts into which curves divide a face. The parts of curves that lie outside the face, or
+// that end inside without dividing it, have no effect. Faces on both sides of a part of a curve have a common
+// edge in space there, with one key. Coedges that stay whole keep their edges and keys. Throws Status::gap
+// for a face with gaps, not_converged where rounding would have to decide.
 struct SplitPart {
     FacePtr face;
-    bool left = false, right = false; // whether it lies to the left, and to the right, of one of the curves
+    bool left = false, right = false; // whether it lies on that side of one of the curves
 };
 struct SplitFace {
     std::vector<SplitPart> parts;
-    std::optional<Point2> loose; // on a curve inside of the face that has the same part on both sides
+    std::optional<Point2> loose; // a place of a curve, inside the face, with the same part on both sides
 };
 SplitFace split_with_sides(const Face &face, std::span<const SplinePtr> curves, double tolerance);
 

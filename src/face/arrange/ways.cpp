@@ -20,7 +20,7 @@ namespace {
 
 constexpr size_t none = std::numeric_limits<size_t>::max();
 
-// A node in a copy of the domain.
+// A node lifted to the covering plane: in one copy of the domain.
 struct Lift {
     size_t node;
     std::array<int, 2> turns;
@@ -31,7 +31,7 @@ DirectedEdge turned(DirectedEdge edge) noexcept {
     return {edge.edge, !edge.back};
 }
 
-// What follows each edge.
+// The half-edge that follows each half-edge.
 class Turns {
 public:
     Turns(const Arrangement &arrangement, const std::vector<DirectedEdge> &edges)
@@ -53,8 +53,9 @@ public:
     [[nodiscard]] size_t next(size_t i) const noexcept { return next_[i]; }
 
 private:
-    // All that leaves the node, or comes to it seen from there, counterclockwise. From one that comes the part to its left lies
-    // clockwise.
+    // Sorts, counterclockwise, the half-edges that leave the node and the reverses of those that come to it.
+    // The part to the left of one that comes lies clockwise from its reverse, so that it continues with the
+    // entry before its own.
     void set_next(size_t node, const std::vector<size_t> &ins, const std::vector<size_t> &outs) {
         if (ins.size() != outs.size()) {
             fail_undecided(arrangement_.nodes()[node]);
@@ -149,7 +150,7 @@ private:
     const std::vector<bool> &ends_;
 };
 
-// Of the cuts at the lower and upper end of a run.
+// The edges of the cuts at the lower and upper end of a run.
 struct RunCuts {
     const CutEdge &lower, &upper;
 
@@ -179,7 +180,7 @@ std::vector<EdgeLoop> ways_around(const Arrangement &arrangement, const std::vec
 std::vector<EdgeLoop> simple_loops(const Arrangement &arrangement, const EdgeLoop &loop) {
     std::vector<EdgeLoop> result;
     EdgeLoop way;
-    std::vector<Lift> lifts; // of where edges of the way begin
+    std::vector<Lift> lifts; // where the edges of the way begin
     std::map<Lift, size_t> places;
     Lift at{arrangement.from(loop.front()), {0, 0}};
     for (const DirectedEdge edge : loop) {
@@ -199,7 +200,7 @@ std::vector<EdgeLoop> simple_loops(const Arrangement &arrangement, const EdgeLoo
         way.resize(first);
         lifts.resize(first);
     }
-    if (!way.empty()) { // around a closed axis
+    if (!way.empty()) { // it goes around a closed axis
         result.push_back(std::move(way));
     }
     return result;

@@ -21,9 +21,10 @@ namespace {
 
 using intersect::NodeKind;
 
-// As many tolerances as arrangements have marks of one node apart.
+// The size of a place in tolerances: the same as the distance of a mark from its node in arrangements (Cuts).
 constexpr double widest_place = 16;
 
+// An end of the domain that the face maps to a pole.
 struct PoleEnd {
     size_t axis;
     int end;
@@ -38,6 +39,7 @@ struct PlaceBox {
             upper[c] = std::max(upper[c], to[c]);
         }
     }
+    // Whether all of the box is within a distance of x.
     [[nodiscard]] bool is_near(const std::vector<double> &x, double distance) const {
         double farthest = 0;
         for (size_t c = 0; c < 3; ++c) {
@@ -94,7 +96,7 @@ private:
         return point_at(*face_.surface(), covering().in_domain(x));
     }
 
-    // Whether all that a node stands for is as near to a point as what is a place.
+    // Whether all that a node stands for is within widest_place tolerances of a point.
     [[nodiscard]] bool is_within(size_t i, const std::vector<double> &of) const {
         const auto &[u, v] = node(i).range;
         const double most = widest_place * tolerance_;
@@ -109,7 +111,7 @@ private:
         add_parts(i, box);
         return box.is_near(of, most);
     }
-    // A part that runs over a seam is one on both sides of it.
+    // Adds the image of the box of a node. A box that extends over a seam has parts on both sides of it.
     void add_parts(size_t i, PlaceBox &box) const {
         const auto &[u, v] = node(i).range;
         covering_moves({u.lower, v.lower}, {u.upper, v.upper}, [&](const Point2 &move) {
@@ -136,14 +138,14 @@ private:
         });
     }
 
-    // Seams count where what is beyond is a part of the place.
+    // Whether an end is at one of the nodes, or at a seam in the place: the place continues beyond the seam.
     [[nodiscard]] bool is_of(const End &end, const Members &members, const std::vector<double> &of) const {
         const int64_t own = meet_.branches[end.branch].nodes[end.upper ? 1 : 0];
         return own >= 0 && (std::ranges::binary_search(members, static_cast<size_t>(own)) ||
                             (meet_.nodes[static_cast<size_t>(own)].kind == NodeKind::seam &&
                              is_within(static_cast<size_t>(own), of)));
     }
-    // Of branches that divide.
+    // The ends of dividing branches at a place.
     [[nodiscard]] std::vector<End> ends_at(const Members &members, const std::vector<double> &of) const {
         std::vector<End> ends;
         for (size_t i = 0; i < meet_.branches.size(); ++i) {
@@ -158,7 +160,8 @@ private:
         }
         return ends;
     }
-    // Rounding leaves branches along poles. Parameters are about lengths.
+    // Whether all of a branch is in a place: rounding leaves such branches along poles. Branches are
+    // parametrized by about their length.
     [[nodiscard]] bool is_all_at(size_t branch, const std::vector<double> &of) const {
         const double place_size = widest_place * tolerance_;
         const Interval domain = meet_.branches[branch].on->axis(0).domain();
@@ -174,7 +177,8 @@ private:
         eval::end_point(*meet_.branches[end.branch].on, end.upper, x.data());
         return x;
     }
-    // By how much it is cut off: the nearer to a pole a branch is, the shorter are the cubics that it consists of.
+    // The length by which a branch is cut back before it is continued: the nearer a branch comes to a pole,
+    // the shorter are the cubics of which it consists.
     [[nodiscard]] double cut_of(size_t branch) const {
         const Interval domain = meet_.branches[branch].on->axis(0).domain();
         return std::min(4 * widest_place * tolerance_, (domain.upper - domain.lower) / 4);
@@ -187,7 +191,7 @@ private:
         eval::curve_point(on, end.upper ? domain.upper - cut : domain.lower + cut, false, x.data());
         return x;
     }
-    // To the places that its ends lead to.
+    // A branch continued by segments to the places that its ends lead to.
     [[nodiscard]] SplinePtr extended(size_t branch) const {
         const SplinePtr &on = meet_.branches[branch].on;
         const auto &[first, last] = leads_to_[branch];
@@ -233,7 +237,8 @@ private:
         });
     }
 
-    // All ends lead to a place, each to the one that belongs to it.
+    // Lets all ends at a place lead to what place_for() has for each of them; does nothing if one of the
+    // segments leaves the surface.
     template <class Place>
     void bridge(const Members &members, const std::vector<double> &of, Place &&place_for) {
         const std::vector<End> ends = ends_at(members, of);
@@ -270,12 +275,12 @@ private:
         }
         const std::vector<End> ends = ends_at(members, of);
         const Point2 at = ends.size() == 2 ? place(ends[0]) : node(first).at;
-        if (ends.size() >= 2) { // what has none may divide a face that is no wider there
+        if (ends.size() >= 2) { // with fewer, what is open may divide a face as narrow there
             bridge(members, of, [&](const Point2 &from) { return covering().nearest_copy(at, from); });
         }
     }
 
-    // Whether a segment is no farther from the surface than the tolerance.
+    // Whether the image of a segment is, at samples, within the tolerance of the surface.
     [[nodiscard]] bool is_along(const Point2 &from, const Point2 &to) const {
         constexpr int samples = 8;
         constexpr double rounding = 0x1p-44;
@@ -297,7 +302,7 @@ private:
     const intersect::Meet &meet_;
     double tolerance_;
     Bridges result_;
-    std::vector<std::array<std::optional<Point2>, 2>> leads_to_; // of branches, their ends
+    std::vector<std::array<std::optional<Point2>, 2>> leads_to_; // by branches and their ends
     std::vector<bool> left_out_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the curves in which a surface meets a face go on where they are not told apart.
+// How intersection curves of a face and a surface continue through places where they cannot be separated.
 #pragma once
 
 #include "face/face.h"
@@ -7,16 +7,18 @@
 
 namespace nrb::face {
 
-// Meets tell branches as far as parts in which a derivative vanishes, or in which surfaces only touch. Of such parts, and of those
-// that are left open but no larger than some tolerances, each is a place: branches that end there are continued to the pole of the
-// face that is in it, or to its middle; if one comes and one leaves, from the one to the other.
+// The branches of an intersection end at parts in which a derivative vanishes or the surfaces only touch.
+// Each such part, and each part that is undecided but no larger than some tolerances, counts as one place.
+// The branches that end there are continued to the pole of the face in it, or to its middle; if exactly two
+// end there, one is continued to the end of the other.
 struct Bridges {
-    std::vector<SplinePtr> curves; // that divide the face, in the plane that covers the domain
-    std::vector<bool> nodes;       // those of which nothing is left open
+    std::vector<SplinePtr> curves; // dividing curves, in the plane that covers the domain
+    std::vector<bool> nodes;       // by nodes of the meet: whether nothing is left open there
 };
 
-// Of the branches, but those along which surfaces touch. What they are continued by are segments no farther from the surface than
-// the tolerance, or it is nothing.
+// For all branches except those along which the surfaces touch. They are continued by segments in the domain
+// whose images are, at samples, within the tolerance of the surface; where one is not, no branch of the
+// place is continued.
 Bridges bridges(const Face &face, const Spline &surface, const intersect::Meet &meet, double tolerance);
 
 } // namespace nrb::face

@@ -37,7 +37,7 @@ void check_decided(const Face &face, const intersect::Meet &meet, const Bridges 
     }
 }
 
-// Branches that cross each other end in such nodes. known: those that are told.
+// Branches that cross each other end at touch nodes. known: by nodes, whether nothing is left open there.
 void check_told_apart(const intersect::Meet &meet, const std::vector<bool> &known) {
     for (const intersect::MeetBranch &branch : meet.branches) {
         for (const int64_t end : branch.nodes) {
@@ -52,7 +52,7 @@ void check_told_apart(const intersect::Meet &meet, const std::vector<bool> &know
     }
 }
 
-// How far curves may be from what both have in common.
+// How far the curves of the branches may be from the intersection.
 double near_of(const intersect::Meet &meet, double tolerance) {
     double near = tolerance;
     for (const intersect::MeetBranch &branch : meet.branches) {
@@ -73,7 +73,7 @@ public:
     SidesOfSurface(const Spline &surface, double tolerance)
         : surface_(surface), covering_(surface, tolerance), tolerance_(tolerance) {}
 
-    // 1 in front, -1 behind; 0 if the nearest point does not tell.
+    // 1 in front, -1 at the back; 0 if the nearest point does not decide.
     [[nodiscard]] int of(const std::vector<double> &point) const {
         const closest::Foot foot = closest::locator_of(surface_).nearest(
             {point.data(), nullptr, tolerance_, closest::usual_budget(surface_), false, true});
@@ -95,7 +95,8 @@ private:
         }
         return false;
     }
-    // Of a point above or below the place, to a share of its distance.
+    // The side of a point whose direction from the surface point at x makes an angle with a cosine above 0.99
+    // with the normal or its opposite; else 0.
     [[nodiscard]] int side_at(const Point2 &x, const std::vector<double> &point) const {
         constexpr double upright = 0.99;
         std::array<double, 9> jet{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces trimmed by surfaces.
+// Faces trimmed by surfaces: the parts of a face on one side of a surface.
 #pragma once
 
 #include "face/face.h"
@@ -13,10 +13,11 @@ enum class SurfaceSide : int32_t {
     back = -1,
 };
 
-// The parts of a face on one side of a surface. Parts beside curves in which both meet are on the side that the directions of these
-// tell; others on that on which a place in them lies as seen from the nearest point of the surface, which no end of it may be. Throws
-// Status::incompatible where the surface ends inside of the face, or before it tells a side; not_converged for what is undecided
-// inside of the face, and what split() throws.
+// The parts of a face on one side of a surface. A part beside intersection curves is on the side that follows
+// from the direction of these: the front is to their left. Any other part is on the side of a point in it, as
+// seen from the nearest point of the surface, which must not be on its boundary. Throws Status::incompatible
+// where the surface ends inside the face, or too early to decide the side of a part; not_converged for
+// what is undecided inside the face; and what split() throws.
 std::vector<FacePtr> kept_side(const Face &face, const SplinePtr &surface, SurfaceSide side,
                                double tolerance);
 

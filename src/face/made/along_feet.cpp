@@ -20,9 +20,9 @@ namespace nrb::face {
 namespace {
 
 constexpr int cubic = 3;
-constexpr size_t most_ordinates = 1536; // of a map
+constexpr size_t most_ordinates = 1536; // Bezier ordinates of a map
 
-// Parameters of both curves that belong together.
+// Parameters of both curves that correspond.
 struct Node {
     double from, to;
 };
@@ -38,6 +38,7 @@ std::vector<double> inner_knots(const KnotVector &axis) {
     return found;
 }
 
+// Makes the map phi from foot points.
 class FootMap {
 public:
     FootMap(const Spline &a, const Spline &b, double tolerance)
@@ -58,8 +59,9 @@ public:
         leave_out_near();
     }
 
-    // As many cubics as bring a few places to within a share of what the distances of feet leave of the tolerance, as a scalar spline
-    // over the domain of a; null where that takes too many, or feet are farther than the tolerance.
+    // The map as a scalar spline over the domain of a. Cubics are halved until the distance at a few places
+    // of each is at most d + share (tolerance - d), where d is the largest distance of a foot. Null where
+    // that takes too many cubics, or where a cubic has to be halved although d exceeds the tolerance.
     [[nodiscard]] SplinePtr map(double share) {
         std::vector<Node> waiting(nodes_.rbegin(), nodes_.rend() - 1);
         std::vector<double> knots(cubic + 1, from_.lower), points{to_.lower};
@@ -96,7 +98,7 @@ private:
         return found.params[0];
     }
 
-    // Both parameters rise, by no less than a little.
+    // Leaves out nodes so that both parameters rise from each to the next by at least 2^-20 of their domains.
     void leave_out_near() {
         const auto apart = [this](const Node &a, const Node &b) {
             constexpr double room = 0x1p-20;
@@ -113,7 +115,7 @@ private:
         nodes_ = std::move(kept);
     }
 
-    // Through the feet at a third and two thirds, with Bezier ordinates that stay in the domain.
+    // The cubic through the feet at one and two thirds, with its Bezier ordinates clamped to the domain of b.
     std::array<double, 4> cubic_between(const Node &start, const Node &end) {
         std::array<double, 4> v{start.to, 0, 0, end.to};
         for (const size_t k : {size_t{1}, size_t{2}}) {
@@ -123,7 +125,7 @@ private:
         return {v[0], inside((-5 * v[0] + 18 * v[1] - 9 * v[2] + 2 * v[3]) / 6),
                 inside((2 * v[0] - 9 * v[1] + 18 * v[2] - 5 * v[3]) / 6), v[3]};
     }
-    // Between the places that the cubic goes through.
+    // Whether the curves are near each other at samples between the places that the cubic interpolates.
     [[nodiscard]] bool is_near(const Node &start, const Node &end, const std::array<double, 4> &c,
                                double share) const {
         const double near = apart_ + share * (tolerance_ - apart_);

@@ -15,9 +15,10 @@ namespace nrb::face {
 namespace {
 
 constexpr size_t most_places = 4096;
-// Of a step after which a copy may be meant: at a pole it never ends.
+// How often a step is halved after which a copy of a place may be meant. At a pole that would never end.
 constexpr int most_fit_halvings = 8;
-// How often errors are looked at between two places: beside the middle at both sides, and twice for each piece that is passed.
+// The numbers of errors that are sampled between two places: one and two more for each piece that is passed,
+// so that there are always samples on both sides of the middle.
 constexpr int64_t least_looks = 3, most_looks = 4096;
 
 struct Place {
@@ -31,7 +32,7 @@ public:
         : model_(model), dim_(static_cast<size_t>(model.dim())), same_(same), tolerance_(tolerance),
           effort_(effort) {}
 
-    // The place at the start is that of the interval before, if there is one.
+    // start: the last place of the interval before; empty for the first interval.
     FittedCurve fit(Interval range, const std::vector<double> &start) {
         begin(range, start);
         for (;;) {
@@ -51,7 +52,7 @@ public:
     [[nodiscard]] const std::vector<double> &end() const noexcept { return places_.back().x; }
 
 private:
-    // The middle first, because ends may be poles or lie on a seam.
+    // The first interval begins in its middle, because its ends may be poles or lie on a seam.
     void begin(Interval range, const std::vector<double> &start) {
         const double middle = range.lower / 2 + range.upper / 2;
         if (start.empty()) {
@@ -65,7 +66,8 @@ private:
         }
         walk_to(range.upper);
     }
-    // From the last place, in steps that tell copies of places apart. They are kept if the curve goes far enough around.
+    // Goes from the last place to t, in steps short enough to tell copies of places apart. The places in
+    // between are kept only if the curve goes so far around that a copy of one may be meant.
     void walk_to(double t) {
         const auto first = std::ssize(places_);
         const Place from = places_.back();
@@ -106,7 +108,7 @@ private:
         places_.insert(after, {t, x});
     }
 
-    // Open coordinates go on as those of the neighbours do; coordinates that are the same are so bit for bit.
+    // Extrapolates open coordinates of the ends from their neighbours, and makes equal what agrees to same_.
     void settle() {
         const size_t n = places_.size();
         for (const size_t i : {size_t{0}, n - 1}) {
@@ -154,7 +156,8 @@ private:
         const int64_t pieces = model_.pieces_between(a.t, a.x.data(), b.t, b.x.data());
         return std::clamp(2 * pieces + 1, least_looks, most_looks);
     }
-    // Between places that no double lies between, nothing is looked at, and a jump all around leaves no error in space.
+    // Between two parameters without a double in between nothing can be sampled, and a jump by a whole turn
+    // there causes no error in space.
     void check_step(const Place &a, const Place &b) const {
         const double middle = a.t / 2 + b.t / 2;
         if ((middle == a.t || middle == b.t) && model_.may_be_copy(a.x.data(), b.x.data())) {
@@ -162,7 +165,8 @@ private:
                  Number(a.t).text);
         }
     }
-    // Middles of the intervals between places in which the error is too large.
+    // The middles of the intervals between places in which the error is too large; of all of them if the
+    // candidate is a line whose error is too large. Sets the error of the candidate.
     [[nodiscard]] std::vector<double> too_far(FittedCurve &candidate) const {
         std::vector<double> params, more;
         std::vector<int64_t> counts;

@@ -23,9 +23,9 @@ namespace nrb::face {
 
 namespace {
 
-// Coordinates that differ by less than a step of this share of the tolerance in space are one.
+// Coordinates count as equal if their difference moves a point by less than this share of the tolerance.
 constexpr double share_of_same = 1e-3;
-// Of a domain, that a curve passes on one way.
+// The most copies of the domain, crossed by a monotone piece of a curve, in which rough lines are looked for.
 constexpr double most_crossed_copies = 4096;
 
 std::vector<double> points_at(const Spline &spline, std::span<const double> params) {
@@ -51,7 +51,7 @@ void distances(const std::vector<double> &a, const std::vector<double> &b, int d
     }
 }
 
-// Spans of a surface between two places of the plane, at least 1.
+// A bound on the number of spans of a surface between two places of the plane, at least 1.
 int64_t spans_between(const Spline &surface, const Covering &covering, const double *a, const double *b) {
     int64_t spans = 1;
     for (const int k : {0, 1}) {
@@ -72,7 +72,7 @@ int64_t spans_between(const Spline &surface, const Covering &covering, const dou
     return spans;
 }
 
-// The nearest places to those of an edge.
+// The foot points of an edge on the surface, as places of the plane that covers the domain.
 class Projection : public CurveModel {
 public:
     Projection(const Spline &surface, const Covering &covering, const Spline &edge, const UnderRule &rule,
@@ -102,14 +102,16 @@ public:
     void errors(const Spline &candidate, std::span<const double> params, double *errors) const override {
         distances(points_over(surface_, covering_, points_at(candidate, params)), points_at(edge_, params),
                   edge_.dim(), errors);
-        // Twice the distance of the edge from the surface is taken out: it may be more between the places.
+        // What exceeds twice the distance of the edge from the surface: that distance may be larger between
+        // the places than at them.
         std::transform(errors, errors + params.size(), errors,
                        [this](double error) { return std::max(error - 2 * off_, 0.0); });
     }
     [[nodiscard]] int64_t pieces_between(double, const double *a, double, const double *b) const override {
         return spans_between(surface_, covering_, a, b);
     }
-    // Around a closed surface; a polynomial piece of an edge goes around a part of it only.
+    // On a closed surface short steps tell copies apart. A polynomial piece of an edge goes around a part of
+    // the surface only, so that a few steps and one for each break in between are enough.
     [[nodiscard]] int64_t steps_between(double t, double u) const override {
         if (edge_.axis(0).degree() < 2 || !(covering_.closed(0) || covering_.closed(1))) {
             return 1;
@@ -131,7 +133,7 @@ public:
     }
 
 private:
-    // Along a pole one parameter is as good as another.
+    // At a pole the parameter along it is arbitrary.
     [[nodiscard]] int open_at(const double *point) const {
         const Covering::Pole pole = covering_.pole_near(point, rule_.tolerance);
         return pole.axis < 0 ? -1 : 1 - pole.axis;
@@ -148,7 +150,8 @@ private:
         }
         return searched_foot(point, near);
     }
-    // Near the neighbour first: the surface may come near itself. A search of the whole surface is seldom needed.
+    // A descent from the neighbouring place comes first: it stays on the same part of the surface where
+    // another part is as near, and makes a search of the whole surface seldom necessary.
     [[nodiscard]] closest::Foot searched_foot(const double *point, const double *near) const {
         const Point2 guess = near != nullptr ? covering_.in_domain({near[0], near[1]}) : place_near(point);
         const closest::Locator &locator = closest::locator_of(surface_);
@@ -163,7 +166,7 @@ private:
         return foot;
     }
 
-    // Where the control point that is nearest to a point has most influence.
+    // The Greville abscissae of the control point nearest to a point: about where it has most influence.
     [[nodiscard]] Point2 place_near(const double *point) const {
         int64_t best = 0;
         double least = infinity;
@@ -186,10 +189,10 @@ private:
     const UnderRule &rule_;
     Effort &effort_;
     mutable double off_ = 0;       // the largest distance of a place of the edge from the surface
-    mutable double least_off_ = 0; // of those than which no other part of the surface is nearer
+    mutable double least_off_ = 0; // the largest one found by a search of the whole surface
 };
 
-// The points over a curve.
+// The points of the surface over a curve in the plane that covers its domain.
 class Image : public CurveModel {
 public:
     Image(const Spline &surface, const Covering &covering, const Spline &curve)
@@ -232,8 +235,9 @@ std::vector<double> breaks_of(const Spline &curve) {
     return refine::rough_knots(curve.axis(0), 2);
 }
 
-// Lines at which derivatives of a surface up to the second may jump, in all copies of its domain that an interval reaches: none where
-// these are so many that there are kinks everywhere.
+// The coordinates on axis k, inside an interval and in all copies of the domain that it reaches, of the
+// knot lines at which derivatives of a surface up to the second may jump. None if there are so many copies
+// that kinks are everywhere.
 std::vector<double> rough_lines(const Spline &surface, const Covering &covering, int k, double low,
                                 double high) {
     std::vector<double> knots = refine::rough_knots(surface.axis(k), 2), lines;
@@ -257,7 +261,8 @@ std::vector<double> rough_lines(const Spline &surface, const Covering &covering,
     return lines;
 }
 
-// Also where a curve passes such lines: what is fitted across a kink needs as many places as there are bits.
+// The breaks of a curve, and where it crosses rough lines of the surface: a fit across a kink would halve
+// intervals until the bits of a parameter are used up.
 std::vector<double> breaks_over_kinks(const Spline &surface, const Covering &covering,
                                       const SplinePtr &curve) {
     std::vector<double> all = breaks_of(*curve), breaks;
@@ -265,7 +270,7 @@ std::vector<double> breaks_over_kinks(const Spline &surface, const Covering &cov
     TrimPieces pieces;
     append_monotone({{curve}}, 0, {0, 0}, pieces);
     for (const TrimPiece &piece : pieces.all()) {
-        const bool closes = piece.range.lower == piece.range.upper; // none of the curve
+        const bool closes = piece.range.lower == piece.range.upper; // a segment, not a part of the curve
         for (int k = 0; k < 2 && !closes; ++k) {
             const auto at = static_cast<size_t>(k);
             for (const double line : rough_lines(surface, covering, k, piece.lower[at], piece.upper[at])) {
@@ -285,7 +290,8 @@ std::vector<double> breaks_over_kinks(const Spline &surface, const Covering &cov
     return breaks;
 }
 
-// Also where an edge passes a pole, on the other side of which its places jump.
+// The breaks of an edge, and for each pole that it passes between breaks the parameter nearest to it: on the
+// other side of a pole the places of the edge are elsewhere in the domain.
 std::vector<double> breaks_over(const Covering &covering, const Spline &edge, const UnderRule &rule) {
     std::vector<double> breaks = breaks_of(edge);
     for (const std::vector<double> &pole : covering.pole_points()) {
@@ -305,23 +311,23 @@ std::vector<double> breaks_over(const Covering &covering, const Spline &edge, co
     return breaks;
 }
 
-// Steps along each axis that move points by less than a share of the tolerance, in the mean over the domain.
+// Steps along each axis that move points, on average over the domain, by less than a share of the tolerance.
 std::array<double, 2> same_places(const Covering &covering, double tolerance) {
     const double size = covering.extent();
     const double share = size > 0 ? std::min(share_of_same * tolerance / size, 1e-3) : 0;
     return {share * covering.period(0), share * covering.period(1)};
 }
 
-// Infinite where the surface cannot be composed with the curve.
+// The distance in space at equal parameters; infinite where the surface cannot be composed with the curve.
 double composed_distance(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                          const Spline &edge) {
     const SplinePtr over = composed_edge(surface, covering, curve);
     return over == nullptr ? infinity : bounds::deviation(*over, edge).upper;
 }
 
-// The surface composed with each part of a curve between seams; null where that is not possible.
+// The surface composed with the parts of a curve between seams, joined; null where that is not possible.
 SplinePtr composed_over_seams(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
-    constexpr double rounding = 0x1p-36; // of the size of the surface: how far seams are open
+    constexpr double rounding = 0x1p-36; // of the extent of the surface: how far seams may be open
     if (!covering.closed(0) && !covering.closed(1)) {
         return nullptr;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the curves that a face lacks may cost.
+// The limit of work for making the curves that a face lacks.
 #pragma once
 
 #include "base/error.h"
@@ -7,11 +7,12 @@
 
 namespace nrb::face {
 
-// Points of curves and surfaces, and pieces of surfaces that are looked at for nearest ones, each less than a microsecond: more than
-// edges take that lie on their surface, so that others come to an end.
+// Counts points of curves and surfaces, and pieces of surfaces that searches for nearest points examine; each
+// takes less than a microsecond. More is allowed than edges on their surface take, so that only other edges
+// reach the limit.
 class Effort {
 public:
-    // For one more edge, or curve.
+    // Allows the work for one more edge or curve.
     void allow(const Spline &given) noexcept {
         constexpr int64_t for_each = 65536, for_a_point = 256;
         allowed_ += for_each + for_a_point * given.point_count();

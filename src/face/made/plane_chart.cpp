@@ -21,7 +21,7 @@ std::vector<double> control_point(const Spline &edge, int64_t i) {
     return point;
 }
 
-// Knots and weights of a curve with other points.
+// A curve with the knots and weights of another one.
 SplinePtr with_points(const Spline &curve, int dim, const std::vector<double> &points) {
     std::vector<double> weights;
     for (int64_t i = 0; curve.rational() && i < curve.point_count(); ++i) {
@@ -31,7 +31,7 @@ SplinePtr with_points(const Spline &curve, int dim, const std::vector<double> &p
                        points, weights);
 }
 
-// Whether two curves combine their control points alike.
+// Whether two curves have the same (rational) basis functions.
 bool same_basis(const Spline &a, const Spline &b) noexcept {
     const std::span<const double> knots = a.axis(0).knots(), others = b.axis(0).knots();
     bool same = a.axis(0).degree() == b.axis(0).degree() &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves projected onto faces, along a direction or normally.
+// Curves projected onto faces, along a direction or orthogonally.
 #pragma once
 
 #include "face/face.h"
@@ -7,7 +7,8 @@
 
 namespace nrb::face {
 
-// What of projected_along() and projected_normally() on the surface of a face is inside of its loops (trimmed()).
+// The parts of intersect::projected_along() and projected_normally() on the surface of a face that are inside
+// of its loops (trimmed()).
 intersect::Meet projected_along(const SplinePtr &curve, const Face &face, const Vector3 &direction,
                                 double tolerance);
 

@@ -13,9 +13,9 @@ namespace nrb::face {
 
 namespace {
 
-constexpr double rounding = 0x1p-40; // of the domain: how far parts leave it by the rounding of cuts
+constexpr double rounding = 0x1p-40; // of the domain: how far outside the rounding of cuts may set parts
 
-// Where a curve passes from one copy of the domain to the next, with the ends of its own domain.
+// The ends of the domain of a curve and, in between, the parameters at which it crosses seams.
 std::vector<double> passages_of(const Covering &covering, const SplinePtr &curve) {
     const Interval domain = curve->axis(0).domain();
     const double room = rounding * (domain.upper - domain.lower);
@@ -23,7 +23,7 @@ std::vector<double> passages_of(const Covering &covering, const SplinePtr &curve
     TrimPieces pieces;
     append_monotone({{curve}}, 0, {0, 0}, pieces);
     for (const TrimPiece &piece : pieces.all()) {
-        const bool closes = piece.range.lower == piece.range.upper; // none of the curve
+        const bool closes = piece.range.lower == piece.range.upper; // a segment, not a part of the curve
         for (int k = 0; k < 2 && !closes && covering.closed(k); ++k) {
             const auto at = static_cast<size_t>(k);
             const double low = covering.domain(k).lower, period = covering.period(k);
@@ -44,7 +44,7 @@ std::vector<double> passages_of(const Covering &covering, const SplinePtr &curve
     return breaks;
 }
 
-// By whole periods, to where the middle is in the domain.
+// A part moved by whole periods so that its middle is in the domain.
 SplinePtr moved_back(const Covering &covering, const SplinePtr &part) {
     const Interval domain = part->axis(0).domain();
     const std::vector<double> middle = eval::curve_point(*part, domain.lower / 2 + domain.upper / 2, false);
@@ -53,7 +53,7 @@ SplinePtr moved_back(const Covering &covering, const SplinePtr &part) {
     return inside == x ? part : refine::transform(*part, {2, 2, matrix}, move);
 }
 
-// With control points that rounding has set outside on the ends of the domain; null if others are outside.
+// Sets control points that are outside the domain by rounding to its ends; null if one is farther outside.
 SplinePtr set_inside(const Covering &covering, const SplinePtr &part) {
     const auto width = static_cast<size_t>(part->stored_width());
     std::vector<double> points(part->points().begin(), part->points().end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves of the plane that covers a domain, in parts that lie in the domain.
+// Curves in the plane that covers a domain, cut at seams into parts that lie in the domain.
 #pragma once
 
 #include "face/covering.h"
@@ -8,8 +8,8 @@
 
 namespace nrb::face {
 
-// The parts of a curve between seams, each moved into the domain, its ends at seams set to these; none if it leaves the domain elsewhere.
-// Their parameters are those of the curve.
+// The parts of a curve between seams, over the same parameters, each moved into the domain by periods, with
+// its ends at seams set to these. Empty if a part is outside the domain by more than rounding.
 std::vector<SplinePtr> seam_parts(const Covering &covering, const SplinePtr &curve);
 
 } // namespace nrb::face
