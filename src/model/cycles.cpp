@@ -7,7 +7,8 @@ namespace {
 
 enum class State { fresh, open, done };
 
-// Depth first, with a path instead of recursion.
+// A depth-first search with an explicit path instead of recursion. The uses that close a cycle are its back
+// edges.
 class CycleSearch {
 public:
     CycleSearch(size_t parts, const std::vector<Use> &uses)
@@ -31,7 +32,7 @@ public:
 private:
     struct Place {
         size_t part;
-        size_t next; // of the uses below it
+        size_t next; // number of the next use below the part
     };
     void open(size_t part) {
         states_[part] = State::open;

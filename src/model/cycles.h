@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts that would be placed in themselves.
+// Finds uses by which a part would be placed in itself.
 #pragma once
 
 #include "model/model.h"
@@ -8,8 +8,9 @@
 
 namespace nrb::model {
 
-// Of each use: whether it leads back to a part on the way to it, so that without these no part is in itself. The parents of all
-// uses are parts. Cost: linear in the number of uses.
+// For each use, whether it leads back to a part on the way to it (a back edge of a depth-first search).
+// Without these uses no part contains itself. Precondition: the parents of all uses are parts. Cost: linear
+// in the number of uses.
 std::vector<bool> uses_in_cycles(size_t parts, const std::vector<Use> &uses);
 
 } // namespace nrb::model

@@ -8,11 +8,12 @@
 
 namespace nrb::model {
 
-// Of an edge: the largest distance of it from the curves of faces that use it, at most if `proven`, as face::deviation_of() has it.
-// One that is not used has none. Throws what that throws.
+// The largest distance of an edge from the curves of the faces that use it, each as face::deviation_of()
+// finds it; a bound only if all of them are proven. An edge without uses has the distance 0. Throws what
+// deviation_of() throws.
 face::Deviation edge_gap(const Model &model, const Edge &edge);
 
-// Of the first `count` edges.
+// The same for each of the first `count` edges.
 std::vector<face::Deviation> edge_gaps(const Model &model, int64_t count);
 
 } // namespace nrb::model

@@ -22,6 +22,7 @@ Place end_of(const Spline &curve, bool upper) {
     return x;
 }
 
+// Adds faces to a model one after another, and shares their edges by keys.
 class Builder {
 public:
     explicit Builder(double metres_per_unit) {
@@ -46,7 +47,7 @@ public:
     Model take() { return std::move(model_); }
 
 private:
-    // An edge, and the tolerance of its face.
+    // An edge with the tolerance of the face from which it came.
     struct Known {
         int64_t number;
         double tolerance;
@@ -59,7 +60,7 @@ private:
         }
         std::vector<Known> &known = edges_[coedge.key];
         double least = HUGE_VAL;
-        // Faces of one model stand together, so that the last edge is the likely one.
+        // Faces of one model follow each other, so that the latest edge is the likeliest.
         for (auto edge = known.rbegin(); edge != known.rend(); ++edge) {
             const double apart = distance_from(*edge, curve, face.tolerance());
             if (apart == 0) {
@@ -74,9 +75,10 @@ private:
         return known.back().number;
     }
 
-    // 0 for one that is the same within the tolerances of both faces and the rounding of points.
+    // 0 unless the two curves are found to be farther apart than the tolerances of both faces and the
+    // rounding of points together.
     [[nodiscard]] double distance_from(const Known &known, const SplinePtr &curve, double tolerance) const {
-        constexpr double rounding = 0x1p-44; // of the largest coordinate, of any degree
+        constexpr double rounding = 0x1p-44; // relative to the largest coordinate, for any degree
         const SplinePtr &other = model_.edges[static_cast<size_t>(known.number)].curve;
         if (other == curve) {
             return 0;
@@ -87,7 +89,7 @@ private:
         return within > 0 ? face::distance_beyond(other, curve, within) : 0;
     }
 
-    // Faces of several models may have equal keys by chance.
+    // Faces from several models may have equal keys by chance.
     void tell(int64_t key, const EdgeUse &use, double apart) {
         const EdgeUse &first = model_.edges[static_cast<size_t>(edges_[key].front().number)].uses.front();
         model_.notes.push_back({0, 0, Status::gap,
@@ -117,7 +119,7 @@ private:
     }
 
     Model model_;
-    std::map<int64_t, std::vector<Known>> edges_; // by their keys
+    std::map<int64_t, std::vector<Known>> edges_; // by key
     std::map<Place, int64_t> vertices_;
 };
 

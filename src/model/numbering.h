@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Numbers of what faces have in common, after faces that could not be made.
+// Renumbers solids and layers of a model, of which some may have lost all their faces because these could not
+// be made.
 #pragma once
 
 #include "model/model.h"
 
 namespace nrb::model {
 
-// Numbers solids from 0 on in the order of their first faces, so that none is without a face.
+// Numbers the solids from 0 on in the order of their first faces, so that each has a face.
 void number_solids(Model &model);
 
-// Leaves out the layers that no face and no spline is in.
+// Drops the layers to which no face and no spline belongs.
 void number_layers(Model &model);
 
 // Calls visit(layers) for each face, then for each spline.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which uses of parts a model keeps.
+// Which uses of parts a model keeps, and which it adds.
 #pragma once
 
 #include "model/model.h"
@@ -8,11 +8,11 @@
 
 namespace nrb::model {
 
-// Leaves out the uses that would put a part into itself, and returns which they were, by rising index. The parents of all uses are
-// parts.
+// Drops the uses by which a part would be placed in itself, and returns their indices, ascending.
+// Precondition: the parents of all uses are parts.
 std::vector<size_t> drop_cycles(size_t parts, std::vector<Use> &uses);
 
-// Parts that nothing places stand in the whole.
+// Adds a use in the whole for each part that no use places.
 void place_the_rest(size_t parts, std::vector<Use> &uses);
 
 } // namespace nrb::model

@@ -34,7 +34,7 @@ pieces::Frame frame_of(const std::vector<TrimmedSurface> &surfaces) {
     return measure::integral_frame(all);
 }
 
-// Of each part.
+// The instances of each part.
 std::vector<std::vector<size_t>> instances_by_part(const Model &model,
                                                    const std::vector<Instance> &instances) {
     std::vector<std::vector<size_t>> found(model.parts.size());
@@ -44,7 +44,7 @@ std::vector<std::vector<size_t>> instances_by_part(const Model &model,
     return found;
 }
 
-// The faces of a solid, or of none, as they are seen from outside.
+// The faces of one solid, or those faces of a part that bound none, oriented by their outer normals.
 struct Shells {
     int64_t part;
     std::vector<TrimmedSurface> surfaces;
@@ -66,7 +66,8 @@ std::vector<Shells> shells_of(const Model &model) {
     return found;
 }
 
-// S of the inertia trace(S) - S, which is half of its trace less the inertia.
+// Recovers the second moments S from the inertia tensor I = trace(S) E - S, where E is the identity. Since
+// trace(I) = 2 trace(S), S = trace(I) E / 2 - I.
 void set_second(const measure::Moments &found, double sign, Body &body) {
     const double half = (found.inertia[0] + found.inertia[4] + found.inertia[8]) / 2;
     for (size_t i = 0; i < 3; ++i) {
@@ -76,7 +77,8 @@ void set_second(const measure::Moments &found, double sign, Body &body) {
     }
 }
 
-// Moments are taken in units of the frame, in which they are representable. What holds nothing, to rounding, has no centroid.
+// Moments are computed in units of the frame, in which they are representable. If the volume is 0 to
+// rounding, there is no centroid, and only the volume is set.
 Body body_of(const Shells &shells, MomentOrder order, double relative_tolerance) {
     pieces::Frame frame = frame_of(shells.surfaces);
     const measure::Integrals sums =
@@ -117,7 +119,8 @@ Area area_of(const std::vector<TrimmedSurface> &surfaces, double relative_tolera
     return {found.content, found.error, power};
 }
 
-// Where all distances grow by one factor, to rounding, which is in the error.
+// The area under a placement that multiplies all distances by one factor, to rounding. The error covers the
+// difference from such a similarity.
 Area magnified(Area area, const Placement &placement) {
     int exponent = 0;
     const double factor = std::frexp(placement.growth_to_whole(), &exponent);
@@ -145,7 +148,8 @@ measure::Moments sum_of(const std::vector<Area> &areas) {
     return found;
 }
 
-// Of the faces of a part in one of its instances, or known up to the scale of that.
+// The area of the faces of a part in one of its instances. For placements that are similarities, the area in
+// the part is integrated once and scaled.
 class PartArea {
 public:
     PartArea(const Model &model, int64_t part, double relative_tolerance) : tolerance_(relative_tolerance) {

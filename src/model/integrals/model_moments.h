@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Area of the faces of models, and what their solids hold.
+// The area of the faces of a model, and the volume, centroid and inertia of its solids.
 #pragma once
 
 #include "measure/moments.h"
@@ -7,14 +7,15 @@
 
 namespace nrb::model {
 
-// Of all faces where they stand in the whole. Throws what instances_of() and face::integrate() do, and Status::not_converged,
-// not_representable.
+// The area of all faces where they stand in the whole. Throws what instances_of(), Placement() and
+// face::integrate() throw, and Status::not_converged, not_representable.
 measure::Moments area(const Model &model, double relative_tolerance);
 
-// Of all solids where they stand in the whole, by the divergence theorem over their faces. Faces of a part that bound no solid
-// enclose one together; of these each shell, the faces that hang together by edges, is seen as its first face is. What is inside
-// of all of them comes out negative is taken to be turned inside out. Throws what check_closed(), instances_of() and
-// face::integrate() do, and what measure::moments() does.
+// The moments of all solids where they stand in the whole, by the divergence theorem over their faces. The
+// faces of a part that bound no solid are taken to enclose one together; of these, the faces of each shell
+// (connected by edges) are oriented like the first one. A solid whose volume comes out negative is taken to
+// be turned inside out. Throws what check_closed(), instances_of(), face::integrate() and measure::moments()
+// throw.
 measure::Moments volume(const Model &model, measure::MomentOrder order, double relative_tolerance);
 
 } // namespace nrb::model

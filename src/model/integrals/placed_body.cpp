@@ -17,13 +17,14 @@ namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-// Of x: |x| < 2^exponent.
+// The least exponent with |x| < 2^exponent; -2000 for 0.
 int exponent_of(double x) noexcept {
     int exponent = 0;
     std::frexp(x, &exponent);
     return x == 0 ? -2000 : exponent;
 }
 
+// The cofactor matrix det(M) M^-T, which maps vector areas.
 Matrix cofactors(const Matrix &m) noexcept {
     Matrix c{};
     for (size_t i = 0; i < 3; ++i) {
@@ -53,7 +54,7 @@ Matrix conjugate(const Matrix &m, const Matrix &s) noexcept {
     return result;
 }
 
-// In units of 2^exponent, at least its own ones.
+// The same body in units of 2^exponent. Precondition: these are no smaller than its own.
 Body in_units(Body body, int exponent) noexcept {
     const int by = body.exponent - exponent;
     for (size_t i = 0; i < 3; ++i) {
@@ -78,7 +79,7 @@ void add_second(const Body &body, const std::array<double, 3> &centroid, Matrix 
     }
 }
 
-// trace(S) - S, of S in units of 2^power.
+// The inertia tensor trace(S) E - S, where E is the identity, from second moments S in units of 2^power.
 std::vector<double> inertia_of(const Matrix &second, int power) {
     std::vector<double> inertia;
     const double trace = second[0][0] + second[1][1] + second[2][2];

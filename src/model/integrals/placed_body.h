@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The content of bodies, moved and added up.
+// Bodies as their moments, moved and added up.
 #pragma once
 
 #include "measure/moments.h"
@@ -8,7 +8,8 @@
 
 namespace nrb::model {
 
-// In units of 2^exponent: volume, centroid, and the integral of (x - centroid) (x - centroid)^T.
+// A body in units of 2^exponent: its volume and the error of that, its centroid, its vector area (the
+// integral of the outer normal), and its second moments, the integral of (x - centroid) (x - centroid)^T.
 struct Body {
     int exponent = 0;
     double volume = 0, error = 0;
@@ -16,11 +17,13 @@ struct Body {
     std::array<std::array<double, 3>, 3> second{};
 };
 
-// Moved by an affine map: x is placed at M x + t, rows of (M | t). Mirrors do not change signs.
+// The body under the affine map x -> M x + t, given as the rows of (M | t). A mirror does not change the
+// signs of volume and second moments.
 Body placed(const Body &body, const std::array<double, 12> &placement);
 
-// The moments of all of them together: their vector areas do not cancel each other. Throws Status::length if the sum is 0 and more
-// than the content is wanted, not_representable.
+// The moments of all bodies together. The openness is the sum of the lengths of their vector areas, so that
+// these do not cancel each other. Throws Status::length if the volume is 0 and more than the content is
+// wanted, and not_representable.
 measure::Moments moments_of(const std::vector<Body> &bodies, measure::MomentOrder order);
 
 } // namespace nrb::model

@@ -37,7 +37,8 @@ double coordinate(const Vector3 &x, size_t c) noexcept {
     return c == 0 ? x.x : c == 1 ? x.y : x.z;
 }
 
-// Of a curve of a loop, a little to either side of a parameter.
+// The direction in space of a curve of a loop at a parameter: the difference of two points a little to either
+// side, not normalized.
 Vector3 way_along(const face::Face &face, const Spline &curve, double param) {
     const Interval domain = curve.axis(0).domain();
     const double step = (domain.upper - domain.lower) / 4096;
@@ -79,7 +80,7 @@ void MeetJoints::add_ends() {
     }
 }
 
-// Those that end on a border, and go on in nothing yet.
+// Adds an end that lies on a border or a seam and has no continuation yet.
 void MeetJoints::add_end(size_t branch, bool begins) {
     const MeetBranch &own = meet_.branches[branch];
     const MeetNode &node = meet_.nodes[static_cast<size_t>(own.nodes[begins ? 0 : 1])];
@@ -116,7 +117,7 @@ std::vector<MeetJoints::Border> MeetJoints::borders_at(size_t model, size_t plac
     return found;
 }
 
-// What ends and what begins on one edge in one instance.
+// Matches the ends and beginnings of branches on the same edge in the same instance.
 void MeetJoints::add_matches() {
     std::map<std::array<int64_t, 3>, std::vector<size_t>> on_edges;
     for (size_t i = 0; i < ends_.size(); ++i) {
@@ -132,7 +133,8 @@ void MeetJoints::add_matches() {
     }
 }
 
-// Beginnings in the order of the coordinate along which they are farthest apart: those that fit an end are near it.
+// Sorts the beginnings by the coordinate in which the points spread farthest. All beginnings that may fit an
+// end are then within a short interval around it.
 void MeetJoints::match_on_edge(const std::vector<size_t> &ends) {
     std::vector<size_t> begins;
     double most_room = 0;
@@ -180,7 +182,8 @@ bool MeetJoints::fit(const End &a, const End &b) const {
            (gap * least_sine <= room && gap * std::max(least_sine, std::min(slope(a), slope(b))) <= room);
 }
 
-// Whether they are on an edge that two faces share, or one face has twice, on either side of it.
+// Whether the two ends lie on opposite sides of one edge of a model, which two faces share or one face has
+// twice.
 bool MeetJoints::crosses(const End &a, const End &b, size_t model) const {
     const PlacedFaces &faces = *models_[model];
     return faces.places()[place_of(a, model)].instance == faces.places()[place_of(b, model)].instance &&
@@ -191,7 +194,7 @@ bool MeetJoints::crosses(const End &a, const End &b, size_t model) const {
            });
 }
 
-// Of the edge against the surface of the other model: the sine of the angle between them.
+// The sine of the angle between the edge at the end and the surface of the other model.
 double MeetJoints::slope(const End &end) const {
     const MeetNode &node = meet_.nodes[static_cast<size_t>(node_of(end))];
     const size_t model = end.borders[0].empty() ? 1 : 0;
@@ -225,7 +228,7 @@ void MeetJoints::tell_open_ends() {
         if (joined_[i]) {
             continue;
         }
-        if (is_common_edge(ends_[i].branch)) { // where both surfaces end there need be nothing else
+        if (is_common_edge(ends_[i].branch)) { // both surfaces end there, so that nothing need continue
             meet_.branches[ends_[i].branch].kind = intersect::BranchKind::edge;
         } else {
             meet_.nodes[static_cast<size_t>(node_of(ends_[i]))].kind = NodeKind::undecided;
@@ -233,7 +236,7 @@ void MeetJoints::tell_open_ends() {
     }
 }
 
-// Whether a branch runs along the borders of both faces.
+// Whether a branch runs along the borders of both faces from end to end.
 bool MeetJoints::is_common_edge(size_t branch) const {
     const MeetBranch &own = meet_.branches[branch];
     const FacePair &faces = of_branches_[branch];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the curves in which faces of two models meet go on in each other.
+// Joins the intersection curves of faces of two models across the edges that faces share.
 #pragma once
 
 #include "intersect/levels/level_meet.h"
@@ -13,27 +13,29 @@
 
 namespace nrb::model {
 
-// Places of faces of two models.
+// Two faces that meet: indices into PlacedFaces::places() of either model.
 struct FacePair {
     size_t a, b;
 };
 
-// Joins branches where they end on edges that two faces of a solid, or two that bound none, share: with what goes on there on the other
-// face and the same face of the other model, or, where edges of both models cross, on the other face of each. The nearest ones first, if
-// they are as near as tolerances and the angle between edge and surface allow. Ends on shared edges that nothing is found for are undecided, but for those of
-// what runs along borders of both faces, which is an edge of both.
+// Joins branches where they end on an edge that two faces of one solid share, or two faces that bound none. A
+// branch continues on the other face of the edge with the same face of the other model or, where edges of
+// both models cross, on the other face of each. Of the pairs of an end and a beginning the nearest are joined
+// first; their distance must be within what the tolerances and the angle between edge and surface allow. An
+// end on a shared edge that finds no continuation becomes an undecided node, unless its branch runs along the
+// borders of both faces: then the branch is an edge of both models.
 class MeetJoints {
 public:
-    // of_branches: the faces that each branch is on.
+    // of_branches: for each branch, the faces on which it lies.
     MeetJoints(PlacedFaces &a, PlacedFaces &b, const std::vector<FacePair> &of_branches, double tolerance,
                intersect::Meet &meet);
 
     void run();
 
 private:
-    // Where an end is on the border of a face, with another face beyond.
+    // The place of an end on a border of its face, beyond which another face continues.
     struct Border {
-        int64_t pair; // of uses of an edge, as SharedBorders numbers them
+        int64_t pair; // of uses of an edge, as numbered by SharedBorders
         int64_t coedge;
         double param;
     };
@@ -42,7 +44,7 @@ private:
         bool begins;
         Vector3 point;
         double room;
-        std::array<std::vector<Border>, 2> borders; // on the faces of both models
+        std::array<std::vector<Border>, 2> borders; // on the faces of either model
     };
     struct Match {
         double apart;
@@ -75,7 +77,7 @@ private:
     intersect::Meet &meet_;
     std::vector<End> ends_;
     std::vector<Match> matches_;
-    std::vector<bool> joined_; // ends
+    std::vector<bool> joined_; // indexed by end
 };
 
 } // namespace nrb::model

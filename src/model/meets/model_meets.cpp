@@ -20,7 +20,7 @@ using intersect::BranchKind;
 using intersect::Meet;
 using intersect::MeetBranch;
 
-// Pairs of faces whose boxes have common points.
+// The pairs of faces whose boxes intersect.
 std::vector<FacePair> near_pairs(const PlacedFaces &a, const PlacedFaces &b) {
     std::vector<intersect::Box3> boxes;
     for (const PlacedFaces::Place &place : b.places()) {
@@ -37,7 +37,8 @@ std::vector<FacePair> near_pairs(const PlacedFaces &a, const PlacedFaces &b) {
     return pairs;
 }
 
-// Along the product of the outer normals; what bounds a region runs around it as in the domain, and edges of it as those there.
+// Reverses the branches whose direction follows from the outer normals. Branches around regions keep the
+// direction that they have in the domain of the first face, and edges that of its loops.
 void run_backwards(Meet &meet) {
     for (MeetBranch &branch : meet.branches) {
         if (branch.kind == BranchKind::overlap || branch.kind == BranchKind::edge) {
@@ -48,10 +49,10 @@ void run_backwards(Meet &meet) {
         }
         std::swap(branch.nodes[0], branch.nodes[1]);
     }
-    std::ranges::reverse(meet.branches); // those of a way follow each other
+    std::ranges::reverse(meet.branches); // the order along a way is reversed, too
 }
 
-// Regions of all pairs have levels one after the other.
+// Gives the regions of all pairs consecutive levels.
 void number_regions(Meet &meet, int64_t &regions) {
     int64_t own = 0;
     const auto number = [&](auto &of) {
@@ -72,7 +73,7 @@ void name_faces(Meet &meet, const PlacedFaces::Place &a, const PlacedFaces::Plac
     };
     std::ranges::for_each(meet.branches, name);
     for (MeetBranch &branch : meet.branches) {
-        branch.loop = -1; // ways are made of all
+        branch.loop = -1; // ways will be formed from all pairs together
     }
     std::ranges::for_each(meet.nodes, name);
 }
@@ -80,7 +81,9 @@ void name_faces(Meet &meet, const PlacedFaces::Place &a, const PlacedFaces::Plac
 } // namespace
 
 Meet model_intersections(const Model &a, const Model &b, double tolerance) {
-    const LimitedSearch whole; // by a limit of the caller; each pair of faces has the usual one of its own
+    // The caller's limit of work is for all pairs of faces. Without one, each pair has the usual limit of its
+    // own.
+    const LimitedSearch whole;
     PlacedFaces on_a(a), on_b(b);
     Meet found;
     found.of_two = true;

@@ -14,7 +14,7 @@ namespace {
 using intersect::BranchKind;
 using intersect::MeetBranch;
 
-// Borders of regions by the faces of either model.
+// The borders of regions in which faces coincide, indexed by the face of either model.
 class RegionBorders {
 public:
     RegionBorders(double tolerance, const std::vector<FacePair> &of_branches, const intersect::Meet &meet)

@@ -71,7 +71,8 @@ closest::BoundedFoot ModelLocator::foot_in_part(const PlacedFace &placed, const 
     return found;
 }
 
-// The nearest one so far. It is proven by bounds of all faces, whether or not those of other faces are proven to be nearest.
+// The nearest foot so far, and a lower bound of the distances of all faces, which certifies it. The feet on
+// other faces need not be certified to be the nearest ones there.
 class ModelLocator::Nearest {
 public:
     [[nodiscard]] double limit() const noexcept { return best_.foot.distance; }
@@ -83,7 +84,7 @@ public:
     }
     void leave_out() noexcept { at_least_ = 0; }
     [[nodiscard]] bool any() const noexcept { return best_.face >= 0; }
-    // If there is no face it is proven to be infinitely far away.
+    // Without any face the infinite distance is certified.
     [[nodiscard]] ModelFoot found(double tolerance) const noexcept {
         ModelFoot result = best_;
         const double least = best_.foot.distance - tolerance - 2 * best_.foot.noise;
@@ -122,7 +123,8 @@ ModelFoot ModelLocator::nearest(const Vector3 &x, double tolerance) {
     return found;
 }
 
-// The point, its distance, and whether what was proven of the foot holds for it.
+// Sets the point in the whole and its distance, and withdraws the certificate if that is more than was
+// proven.
 void ModelLocator::settle(ModelFoot &found, const Vector3 &x, double tolerance) const {
     const Placement &placement = scene_.placement({found.face, found.instance, 0});
     closest::Foot &foot = found.foot;

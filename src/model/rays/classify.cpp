@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_directions = 16;
 
-// Spread over the sphere, in no plane with its axes: a spiral of golden angles.
+// Directions on a golden-angle spiral, which spreads them over the sphere. None lies in a coordinate plane.
 Vector3 direction_of(int i) noexcept {
     constexpr double golden = 2.399963229728653;
     const double z = 0.96837 - 1.93713 * ((5 * i) % most_directions) / (most_directions - 1),
@@ -39,7 +39,7 @@ Side Classifier::side(const Vector3 &x) {
     return side_undecided;
 }
 
-// On a face, or for certain on none: outside.
+// side_on: on a face; side_outside: certainly on none; side_undecided otherwise.
 Side Classifier::nearness(const Vector3 &x) {
     Side found = side_outside;
     if (tolerance_ > 0) {
@@ -72,7 +72,9 @@ face::FaceLocator &Classifier::locator(int64_t face) {
     return *own;
 }
 
-// Of the groups that the ray meets, those that it has left as often as it has entered them are settled.
+// Decides by the parity of the crossings of each group of faces that the ray meets, where these are certain.
+// An odd number puts the point inside. A group with an even number is settled, and is left out in further
+// directions.
 Side Classifier::side_along(const Vector3 &x, const Vector3 &direction) {
     met_.clear();
     const intersect::RayQuery query{x, direction};
@@ -90,7 +92,8 @@ Side Classifier::side_along(const Vector3 &x, const Vector3 &direction) {
     return sure ? side_outside : side_undecided;
 }
 
-// What is met where the ray begins, or on a border of two pieces, may count twice or not at all.
+// Crossings at the origin of the ray, or on the border between two Bezier pieces, may be counted twice or not
+// at all: the direction then proves nothing for the group.
 void Classifier::pass(int32_t placed, const intersect::RayQuery &query) {
     const int64_t number = scene_.face(placed).group;
     Group &group = groups_[static_cast<size_t>(number)];

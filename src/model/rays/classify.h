@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether points are inside the solids of a model.
+// Point-in-solid classification by ray casting.
 #pragma once
 
 #include "face/near/face_locator.h"
@@ -13,23 +13,26 @@ namespace nrb::model {
 
 enum Side : int32_t { side_outside = -1, side_on = 0, side_inside = 1, side_undecided = 2 };
 
-// Calls with one point after the other.
+// Takes one point after another.
 class Classifier {
 public:
-    // tolerance: of what is on a face, >= 0. Throws what closed_scene_of() does.
+    // tolerance >= 0: the distance from a face up to which a point is on it. Throws what closed_scene_of()
+    // throws.
     Classifier(const Model &model, double tolerance);
 
-    // Of a finite point. Proven by the number of faces that a ray from it passes, where all of them are proven and none is near
-    // an edge; undecided if that holds for none of some directions.
+    // The side of a finite point, proven by the parity of the crossings of a ray from it. A direction counts
+    // only if all crossings are proven and none is near an edge; if none of a fixed number of directions
+    // decides, the point is undecided.
     [[nodiscard]] Side side(const Vector3 &x);
 
 private:
+    // The crossings of the current ray with the faces of one group.
     struct Group {
         int passed = 0;
         bool sure = true;
-        bool settled = false; // outside of it, for certain
+        bool settled = false; // the point is certainly outside of it
     };
-    // Of distances.
+    // The tolerance to which distances from faces are computed.
     [[nodiscard]] double precision() const noexcept { return tolerance_ / 1024; }
     [[nodiscard]] Side nearness(const Vector3 &x);
     [[nodiscard]] Side nearness(const Vector3 &x, const PlacedFace &placed);
@@ -41,9 +44,9 @@ private:
     const Scene &scene_;
     ModelCaster caster_;
     double tolerance_;
-    std::vector<std::unique_ptr<face::FaceLocator>> locators_; // of each face
+    std::vector<std::unique_ptr<face::FaceLocator>> locators_; // indexed by face
     std::vector<Group> groups_;
-    std::vector<int64_t> met_; // groups
+    std::vector<int64_t> met_; // groups met by the current ray
     std::vector<PlacedMeet> meets_;
 };
 

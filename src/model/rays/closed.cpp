@@ -13,7 +13,7 @@ namespace nrb::model {
 
 namespace {
 
-// Whether each solid of a part, and all faces of it that bound none, use an edge an even number of times.
+// Checks that each solid uses the edge an even number of times, and so do all faces together that bound none.
 void check_edge(const Model &model, size_t index) {
     const Edge &edge = model.edges[index];
     std::map<int64_t, int> uses;
@@ -40,7 +40,8 @@ bool is_pole(const face::Covering &covering, const face::EndPart &part) noexcept
     return false;
 }
 
-// Where loops leave the domain by no more than a tolerance, the face ends with that, near to them.
+// Whether an open end of the domain runs along the loops, by samples. Loops may leave the domain by up to the
+// tolerance; the face then ends at the end of the domain, near the loop.
 bool is_near_loops(const face::Face &face, const face::EndPart &part) {
     constexpr int samples = 17;
     std::vector<double> places;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Whether faces close solids.
+// Checks that the faces of a model enclose solids.
 #pragma once
 
 #include "model/model.h"
 
 namespace nrb::model {
 
-// Throws Status::gap if the faces of a solid, or those of a part that bound none, leave something open.
+// Throws Status::gap if the faces of a solid, or those faces of a part that bound none, do not close.
 void check_closed(const Model &model);
 
 } // namespace nrb::model

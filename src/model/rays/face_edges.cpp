@@ -14,7 +14,7 @@ namespace nrb::model {
 
 namespace {
 
-constexpr double largest_part = 1.0 / 64; // of the face
+constexpr double largest_part = 1.0 / 64; // relative to the size of the face
 constexpr int most_halvings = 8;
 
 } // namespace
@@ -40,7 +40,9 @@ void FaceEdges::add(const face::Face &face, SplinePtr plane, SplinePtr space, do
     add_item({std::move(plane), std::move(space), room}, box);
 }
 
-// Parts that are small beside the face, between places of the curve. Precondition: both of its parameters run one way.
+// Covers a curve that has no exact image in space by boxes of the surface that are small compared with the
+// face. Precondition: both coordinates of the curve are monotone, so that the rectangle between two of its
+// places contains the part between them.
 void FaceEdges::add_boxes(const face::Face &face, const Spline &plane, double room) {
     struct Part {
         Interval params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays that pass near the boundary of a face.
+// Finds where rays pass near the boundary of a face, so that none slips between neighbours unnoticed.
 #pragma once
 
 #include "face/face.h"
@@ -9,24 +9,26 @@
 
 namespace nrb::model {
 
+// A part of a ray that is near a curve of the boundary.
 struct EdgePassage {
-    Interval ts;         // outside of which the ray is not near
-    face::Point2 params; // about where, in the domain
-    double room;         // how near is near
+    Interval ts;         // outside of this interval of t the ray is not near
+    face::Point2 params; // approximate place in the domain
+    double room;         // the distance within which the ray counts as near
 };
 
-// All curves at which a face may end, its seams among them.
+// All curves at which a face may end, including its seams.
 class FaceEdges {
 public:
-    // rooms: how near to the curves of each loop is near, and, last, to others.
+    // rooms: the distances within which a ray is near the curves of each loop and, last, the one for all
+    // other curves.
     FaceEdges(const face::Face &face, const std::vector<double> &rooms);
 
-    // Appends the passages of a ray.
+    // Appends the parts of a ray that are near the boundary.
     void passages(const intersect::RayQuery &query, std::vector<EdgePassage> &out) const;
 
 private:
     struct Item {
-        SplinePtr plane, space; // null: only the box is known
+        SplinePtr plane, space; // null: only the box and `middle` are known
         double room;
         face::Point2 middle{};
     };

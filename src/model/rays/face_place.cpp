@@ -18,7 +18,7 @@ intersect::Box3 box3_of(const bounds::Box &box) noexcept {
     return result;
 }
 
-// Boundaries that are outside of the domain, by a tolerance, count as its ends; no range is empty.
+// Boundary curves may leave the domain by a tolerance; they are clamped to its ends. No range is empty.
 intersect::Box3 box_between(const face::Face &face, const face::Point2 &a, const face::Point2 &b) {
     Part part{};
     for (size_t k = 0; k < 2; ++k) {
@@ -32,7 +32,8 @@ intersect::Box3 box_between(const face::Face &face, const face::Point2 &a, const
     return box3_of(bounds::bounding_box(*face.surface(), part, infinity));
 }
 
-// A coordinate that does not close is largest and smallest on the boundary.
+// On an axis that does not close, the parameter takes its extreme values over the face on the boundary, so
+// that the smallest rectangle around the boundary contains the face.
 intersect::Box3 face_box(const face::Face &face) {
     const auto &[u, v] = face::smallest_rectangle(face);
     return box_between(face, {u.lower, v.lower}, {u.upper, v.upper});

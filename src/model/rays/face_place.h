@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes around parts of faces.
+// Boxes in space around parts of faces.
 #pragma once
 
 #include "bounds/box.h"
@@ -8,13 +8,13 @@
 
 namespace nrb::model {
 
-// Finite.
+// The box with its sides made finite.
 intersect::Box3 box3_of(const bounds::Box &box) noexcept;
 
-// Of the surface between two places of the domain, and as far around as rounding moves places.
+// A box of the surface over the rectangle with corners a and b, which is enlarged by the rounding of places.
 intersect::Box3 box_between(const face::Face &face, const face::Point2 &a, const face::Point2 &b);
 
-// Of the surface over the smallest rectangle of the domain that holds the face.
+// A box of the surface over the smallest rectangle of the domain that contains the face.
 intersect::Box3 face_box(const face::Face &face);
 
 } // namespace nrb::model

@@ -15,7 +15,7 @@ constexpr size_t most_instances = 1 << 20;
 using Rows = std::array<double, 12>;
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-// First b, then a.
+// The composition: first b, then a.
 Rows product(const Rows &a, const Rows &b) noexcept {
     Rows c{};
     for (size_t i = 0; i < 3; ++i) {
@@ -30,8 +30,9 @@ Rows product(const Rows &a, const Rows &b) noexcept {
     return c;
 }
 
-// Lengths grow by no more: by the root of the largest eigenvalue of M^T M, which row sums of its magnitudes bound. Where M is a
-// motion, or one with a scale, that is its scale.
+// A bound of the spectral norm of M, the largest factor by which lengths grow: the root of the largest
+// absolute row sum of M^T M, which bounds its largest eigenvalue. For a similarity it is the scale, to
+// rounding.
 double growth_of(const Matrix &m) noexcept {
     double scale = 0, most = 0;
     for (const auto &row : m) {
@@ -67,7 +68,7 @@ double determinant_of(const Matrix &m) noexcept {
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-// By cofactors; not finite if there is none.
+// By cofactors; not finite if M is singular.
 Matrix inverse_of(const Matrix &m) noexcept {
     Matrix inverse{};
     for (size_t i = 0; i < 3; ++i) {
@@ -87,7 +88,7 @@ Matrix inverse_of(const Matrix &m) noexcept {
 
 } // namespace
 
-// Instances wait on a stack, the first use on top.
+// A depth-first traversal. Pending instances wait on a stack, the first use of a part on top.
 std::vector<Instance> instances_of(size_t parts, const std::vector<Use> &uses) {
     std::vector<std::vector<int64_t>> below(parts + 1);
     for (size_t i = uses.size(); i-- > 0;) {
@@ -130,7 +131,7 @@ Placement::Placement(const std::vector<Instance> &instances, size_t index)
     norm_ = growth_of(m);
     inverse_norm_ = growth_of(inverse_);
     const double condition = norm_ * inverse_norm_;
-    if (!(condition > 0 && condition < 1e9)) { // 0: of the zero matrix, whose inverse is NaN
+    if (!(condition > 0 && condition < 1e9)) { // 0: the zero matrix, whose inverse is NaN
         fail(Status::matrix, "the placement of use %lld has no inverse to rounding",
              static_cast<long long>(instances[index].use));
     }
@@ -184,7 +185,7 @@ SplinePtr Placement::in_whole(const SplinePtr &curve) const {
     return refine::transform(*curve, {3, 3, matrix.data()}, translation.data());
 }
 
-// n . dx stays 0 for n M^-1 and M dx.
+// Normals n and tangents d are mapped to n M^-1 and M d, so that n . d remains 0.
 Vector3 Placement::normal_in_whole(const Vector3 &normal) const noexcept {
     const auto column = [&](size_t k) {
         return inverse_[0][k] * normal.x + inverse_[1][k] * normal.y + inverse_[2][k] * normal.z;
@@ -192,7 +193,7 @@ Vector3 Placement::normal_in_whole(const Vector3 &normal) const noexcept {
     return identity_ ? normal : unit({column(0), column(1), column(2)});
 }
 
-// n . (M x + t) = o.
+// x = M y + t satisfies n . x = o if (n M) . y = o - n . t.
 Placement::Plane Placement::moved(const Plane &plane) const noexcept {
     if (identity_) {
         return plane;

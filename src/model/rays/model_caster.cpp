@@ -12,7 +12,8 @@ namespace nrb::model {
 
 namespace {
 
-// In the range of the ray, finite where that is possible.
+// The touch that a passage near an edge stands for: clipped to the range of the ray, at a finite t where
+// possible.
 intersect::RayAnswer touch_of(const EdgePassage &passage, const face::Face &face, Interval range) {
     const Interval ts{std::max(passage.ts.lower, range.lower), std::min(passage.ts.upper, range.upper)};
     const double middle = ts.lower / 2 + ts.upper / 2;
@@ -20,8 +21,8 @@ intersect::RayAnswer touch_of(const EdgePassage &passage, const face::Face &face
     return {face.covering().in_domain(passage.params), t, intersect::ray_touch, ts, false};
 }
 
-// With a direction whose largest coordinate is about 1, so that products with it neither overflow nor underflow: t of the
-// result is t of the query times a power of two.
+// The ray with a direction whose largest coordinate is about 1, so that products with it neither overflow nor
+// underflow. Its t is that of the query times a power of two.
 class ScaledRay {
 public:
     explicit ScaledRay(const intersect::RayQuery &query) noexcept
@@ -30,7 +31,7 @@ public:
         query_.range = {std::ldexp(query.range.lower, exponent_), std::ldexp(query.range.upper, exponent_)};
     }
     [[nodiscard]] const intersect::RayQuery &query() const noexcept { return query_; }
-    // Nothing is certified of a t that overflows.
+    // A t that overflows certifies nothing.
     void unscale(intersect::RayAnswer &answer) const noexcept {
         answer.t = std::ldexp(answer.t, -exponent_);
         answer.ts = {std::ldexp(answer.ts.lower, -exponent_), std::ldexp(answer.ts.upper, -exponent_)};
@@ -62,7 +63,7 @@ const std::vector<EdgePassage> &ModelCaster::passages(const intersect::RayQuery 
     return passages_;
 }
 
-// What a ray passes on its way to a first hit.
+// Collects what a ray meets on its way to the first hit.
 class ModelCaster::First {
 public:
     First(const intersect::RayQuery &query, ModelCaster &caster)
@@ -85,7 +86,8 @@ public:
         }
         add(caster_.caster(placed.face).first(local), i);
     }
-    // A hit that follows an edge at once is that of the face or of its neighbour.
+    // An edge passage does not count if a hit follows within a few rooms: the hit is that of the face or of
+    // its neighbour at the edge.
     [[nodiscard]] ModelAnswer answer() {
         for (const Edge &edge : edges_) {
             const double from = edge.meet.answer.ts.lower;
@@ -104,7 +106,7 @@ private:
     static constexpr double most_rooms = 4;
     struct Edge {
         PlacedMeet meet;
-        double room; // in t
+        double room; // converted to t
     };
 
     void add(const intersect::FirstMeets &own, int32_t placed) {
@@ -168,7 +170,7 @@ bool ModelCaster::all(const intersect::RayQuery &query, std::vector<PlacedMeet> 
     return sure;
 }
 
-// Touches of the surface near an edge are those of the edge.
+// Touches of the surface within an edge passage are left out, since the passage itself is a touch.
 bool ModelCaster::all_of(int32_t placed, const intersect::RayQuery &given, std::vector<PlacedMeet> &out) {
     const int64_t face = scene_.face(placed).face;
     const intersect::RayQuery query = scene_.placement(scene_.face(placed)).moved(given);
@@ -190,7 +192,8 @@ bool ModelCaster::all_of(int32_t placed, const intersect::RayQuery &given, std::
     return sure && near.empty();
 }
 
-// The side is that of the outer normal, which is the same in all places.
+// ray_back is made to refer to the outer normal instead of that of the surface. No placement changes on which
+// side of a surface a ray arrives.
 ModelAnswer ModelCaster::answer(const PlacedMeet &meet) const {
     const PlacedFace &placed = scene_.face(meet.placed);
     ModelAnswer result{meet.answer, placed.face, placed.instance};

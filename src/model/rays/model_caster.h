@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where rays meet the faces of a model.
+// Intersections of rays with the faces of a model.
 #pragma once
 
 #include "intersect/rays/rays.h"
@@ -11,27 +11,30 @@
 
 namespace nrb::model {
 
+// The answer for a ray, with its placed face; -1: it meets none.
 struct ModelAnswer {
     intersect::RayAnswer answer;
     int64_t face = -1, instance = -1;
 };
 
-// A meet, with the number of its placed face.
+// An intersection with a placed face, by its number in the scene.
 struct PlacedMeet {
     intersect::RayAnswer answer;
     int32_t placed;
-    double room; // how far rounding may move t
+    double room; // a bound of the rounding of t
 };
 
-// Calls with one ray after the other. A ray that passes near an edge of a face touches it. Precondition as for RayCaster.
+// Casts one ray after another. A ray that passes near an edge of a face touches the face there. Precondition:
+// as for RayCaster.
 class ModelCaster {
 public:
     ModelCaster(const Model &model, const Scene &scene);
 
     [[nodiscard]] ModelAnswer first(const intersect::RayQuery &query);
-    // All of them, rising, in a vector that was empty. Returns whether there are no others, and none is a touch.
+    // All intersections, by ascending t; `out` must be empty before. Returns whether they are proven to be
+    // hits, and all of them.
     bool all(const intersect::RayQuery &query, std::vector<PlacedMeet> &out);
-    // The same with one placed face, in any order. Precondition: a direction of about 1.
+    // The same for one placed face, in any order. Precondition: the direction has a length of about 1.
     bool all_of(int32_t placed, const intersect::RayQuery &given, std::vector<PlacedMeet> &out);
     [[nodiscard]] ModelAnswer answer(const PlacedMeet &meet) const;
 
@@ -46,7 +49,7 @@ private:
 
     const Model &model_;
     const Scene &scene_;
-    std::vector<std::unique_ptr<intersect::RayCaster>> casters_; // of each face
+    std::vector<std::unique_ptr<intersect::RayCaster>> casters_; // indexed by face
     std::vector<EdgePassage> passages_;
     std::vector<intersect::RayAnswer> answers_;
 };

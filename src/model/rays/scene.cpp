@@ -13,10 +13,10 @@ namespace nrb::model {
 
 namespace {
 
-constexpr double rounding = 0x1p-44; // of the largest coordinate: of curves that are composed
+constexpr double rounding = 0x1p-44; // of composed curves, relative to the largest coordinate
 constexpr int64_t work_of_a_face = 20000;
 
-// How far an edge, which others may share, is from its curve.
+// The largest distance of a curve of the loop from its edge, which other faces may share.
 double deviation_of_loop(const face::Face &face, const face::Loop &loop) {
     double most = 0;
     for (const face::Coedge &coedge : loop) {

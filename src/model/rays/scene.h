@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The faces of a model where they stand, for rays. It is kept with the model.
+// The scene: the faces of a model where they stand in the whole, in a tree of boxes for rays and other
+// searches. It is kept with the model.
 #pragma once
 
 #include "base/lazy.h"
@@ -14,17 +15,18 @@ namespace nrb::model {
 // A face in an instance of its part.
 struct PlacedFace {
     int64_t face, instance;
-    int64_t group; // faces of one solid, or of none, in one instance
+    int64_t group; // the faces of one solid, or those of none, in one instance
 };
 
-// Of each face the largest tolerance of those with which it shares edges: between neighbours there may be four times as much,
-// from the curve of one to its edge, to that of the other one, and to its curve.
+// For each face the largest tolerance among it and the faces with which it shares edges. The gap between
+// neighbours may be four times as wide: from the curve of one to its edge, to the edge of the other (by up to
+// the sum of both tolerances), and to the curve of that.
 std::vector<double> widest_tolerances(const Model &model);
 
 class Scene {
 public:
-    // closed: what lies between neighbours is part of the boundary, however far edges are from curves. Throws what
-    // instances_of() and Placement() do.
+    // closed: gaps between neighbours belong to the boundary, however far the edges are from their curves.
+    // Throws what instances_of() and Placement() throw.
     Scene(const Model &model, bool closed);
 
     [[nodiscard]] const std::vector<Instance> &instances() const noexcept { return instances_; }
@@ -34,9 +36,9 @@ public:
         return placements_[static_cast<size_t>(face.instance)];
     }
     [[nodiscard]] int64_t groups() const noexcept { return groups_; }
-    // Of faces() in the whole.
+    // Boxes of faces() in the whole, numbered likewise.
     [[nodiscard]] const intersect::BoxTree &tree() const noexcept { return tree_; }
-    // Built at the first use.
+    // Built at the first request.
     [[nodiscard]] const FaceEdges &edges(const Model &model, int64_t face) const;
 
 private:
@@ -45,11 +47,11 @@ private:
     std::vector<PlacedFace> faces_;
     int64_t groups_ = 0;
     intersect::BoxTree tree_;
-    std::vector<std::vector<double>> rooms_; // of each face, around each loop and, last, other curves
-    std::vector<Lazy<FaceEdges>> edges_;     // of each face
+    std::vector<std::vector<double>> rooms_; // of each face: around each loop and, last, around other curves
+    std::vector<Lazy<FaceEdges>> edges_;     // indexed by face
 };
 
-// Built at the first use. Of a closed one throws what check_closed() does, too.
+// Built at the first request. closed_scene_of() throws what check_closed() throws, too.
 const Scene &scene_of(const Model &model);
 const Scene &closed_scene_of(const Model &model);
 

@@ -20,7 +20,7 @@ namespace {
 using intersect::MeetBranch;
 using intersect::MeetNode;
 
-// Of normal . x over a box, as far around as rounding may move it.
+// The range of normal . x over a box, enlarged by more than rounding.
 Interval range_over(const intersect::Box3 &box, const Vector3 &normal) noexcept {
     const std::array<double, 3> n{normal.x, normal.y, normal.z};
     double middle = 0, half = 0, size = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where planes cut the faces of a model, face by face.
+// Sections of the faces of a model with planes, face by face.
 #pragma once
 
 #include "face/trimmed_meet.h"
@@ -10,39 +10,39 @@
 
 namespace nrb::model {
 
-// Planes with one normal, by rising offsets.
+// Planes with a common normal, by ascending offset.
 struct ParallelPlanes {
     Vector3 normal;
     std::vector<double> offsets;
-    std::vector<int64_t> levels; // the numbers of the planes
+    std::vector<int64_t> levels; // the number of each plane
 };
 
-// Where a branch begins or ends on the border of its face.
+// An end of a branch on the border of its face.
 struct SectionEnd {
     int64_t branch;
     bool begins;
     struct Place {
-        int64_t coedge; // of SharedBorders
+        int64_t coedge; // number in SharedBorders
         double param;
     };
-    std::vector<Place> places; // the nearest one first
+    std::vector<Place> places; // nearest first
     Vector3 point;             // in the whole
-    double room;               // how far from it the face next to it may go on
+    double room;               // how far from the point the section of the next face may begin
 };
 
-// What is found, with faces and instances, in the whole.
+// The sections found so far, in the whole, with their faces and instances, and the ends that may be joined.
 struct FaceSections {
     intersect::Meet meet;
     std::vector<SectionEnd> ends;
 };
 
-// Faces where they stand.
+// Cuts faces where they stand in the whole.
 class FaceCutter {
 public:
     FaceCutter(const Model &model, const SharedBorders &borders, double tolerance);
 
-    // Adds the sections of a face in an instance by planes. Where an edge that two faces share lies in a plane, that is a branch of
-    // those that are below beside it, as if the plane stood a little lower.
+    // Adds the sections of a face in an instance with planes. A shared edge that lies in a plane becomes a
+    // branch of those of its faces that are below the plane beside it, as if the plane stood a little lower.
     void add(int64_t face, int64_t instance, const Placement &placement, const ParallelPlanes &planes,
              FaceSections &out);
 
@@ -50,7 +50,7 @@ private:
     struct Cut {
         int64_t face, instance;
         const Placement &placement;
-        std::vector<int64_t> levels; // of those of the meet
+        std::vector<int64_t> levels; // number of the plane for each level of the meet
         bool reversed;
     };
     void add_meet(const face::BorderedMeet &found, const Cut &cut, FaceSections &out);
@@ -62,8 +62,8 @@ private:
     const SharedBorders &borders_;
     double tolerance_;
     std::vector<intersect::Box3> boxes_;
-    std::vector<double> tolerances_; // of faces and those beside them
-    std::vector<int64_t> nodes_;     // where those of a face went
+    std::vector<double> tolerances_; // widest_tolerances()
+    std::vector<int64_t> nodes_;     // new numbers of the nodes of a face
 };
 
 } // namespace nrb::model

@@ -15,13 +15,13 @@ namespace {
 
 using intersect::Meet;
 
-// With a normal of about 1.
+// The same plane, with a normal whose largest coordinate is about 1.
 SectionPlane scaled(const SectionPlane &plane) noexcept {
     const int exponent = size_exponent(plane.normal);
     return {times_power(plane.normal, -exponent), std::ldexp(plane.offset, -exponent)};
 }
 
-// By their normals; offsets that are farther away than numbers reach are of no plane.
+// Groups planes by their normals. A plane whose scaled offset overflows is out of reach, and is left out.
 std::vector<ParallelPlanes> sorted(std::span<const SectionPlane> planes) {
     struct Level {
         double offset;
@@ -76,7 +76,9 @@ FaceSections cut_faces(const Model &model, const SharedBorders &borders,
 } // namespace
 
 Meet model_sections(const Model &model, std::span<const SectionPlane> planes, double tolerance) {
-    const LimitedSearch whole; // by a limit of the caller; each level of a face has the usual one of its own
+    // The caller's limit of work is for all faces. Without one, each level of a face has the usual limit of
+    // its own.
+    const LimitedSearch whole;
     std::vector<SectionPlane> own;
     std::vector<Vector3> normals;
     for (const SectionPlane &plane : planes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where planes cut a model.
+// Sections of a model with planes.
 #pragma once
 
 #include "intersect/levels/level_meet.h"
@@ -9,15 +9,15 @@
 
 namespace nrb::model {
 
-// A plane x . normal = offset.
+// The plane x . normal = offset.
 struct SectionPlane {
     Vector3 normal;
     double offset;
 };
 
-// All instances of faces by all planes, which are numbered as levels, each tolerance > 0. Branches are joined to ways, with the
-// outer normal of the faces to the right of them as seen from the tip of the normal. Throws what instances_of() and Placement() do.
-// Precondition: finite normals that are not 0.
+// Cuts all instances of faces with all planes, whose numbers are the levels. tolerance > 0, in the whole.
+// Branches are joined to ways; seen from the tip of the plane's normal, the outer normals of the faces are on
+// their right. Throws what instances_of() and Placement() throw. Precondition: finite normals that are not 0.
 intersect::Meet model_sections(const Model &model, std::span<const SectionPlane> planes, double tolerance);
 
 } // namespace nrb::model

@@ -19,7 +19,7 @@ using intersect::MeetBranch;
 using intersect::MeetNode;
 using intersect::NodeKind;
 
-// Calls visit(items) for those with one key, in their order.
+// Calls visit(items) for each group of items with a common key, sorted by their order.
 template <class Item, class Visit>
 void visit_groups(std::vector<Item> &items, Visit &&visit) {
     std::ranges::sort(items, [](const Item &a, const Item &b) {
@@ -58,7 +58,7 @@ bool SectionJoints::is_open(const SectionEnd &end) const noexcept {
     return !joined_[number] && node.next < 0 && node.kind != NodeKind::undecided;
 }
 
-// By the edge that is nearest.
+// An end belongs to the edge nearest to it.
 void SectionJoints::join_on_edges() {
     std::vector<Item> items;
     for (size_t i = 0; i < sections_.ends.size(); ++i) {
@@ -88,7 +88,7 @@ void SectionJoints::join_on_edge(std::span<const Item> items) {
     if (sides[0].empty() || sides[1].empty()) {
         return;
     }
-    if (closed) { // the curves of the faces may begin elsewhere
+    if (closed) { // the curves of the two faces may begin at different places
         const SectionEnd &first = sections_.ends[sides[0].front().end];
         const auto far = [&](const Item &item) {
             const SectionEnd &end = sections_.ends[item.end];
@@ -99,7 +99,8 @@ void SectionJoints::join_on_edge(std::span<const Item> items) {
     join_in_order(sides[0], sides[1]);
 }
 
-// What has no other end is passed over, as few of them as it takes.
+// Joins the ends on both sides of an edge pairwise, in their order along it. Ends without a counterpart are
+// skipped, as few as possible and at most `most` at once.
 void SectionJoints::join_in_order(std::span<const Item> a, std::span<const Item> b) {
     constexpr size_t most = 4;
     size_t i = 0, j = 0;
@@ -123,7 +124,9 @@ void SectionJoints::join_in_order(std::span<const Item> a, std::span<const Item>
     }
 }
 
-// Along an edge that is nearly parallel to the plane, small errors are long ways.
+// Along an edge that is nearly parallel to the plane a small error moves the end of a section far. The
+// distance of two ends may be larger by the reciprocal of the sine of the angle, which counts as at least
+// 1/256.
 bool SectionJoints::fit(size_t a, size_t b) const {
     const SectionEnd &one = sections_.ends[a], &other = sections_.ends[b];
     if (one.begins == other.begins) {
@@ -152,7 +155,7 @@ Vector3 SectionJoints::point_on(const SectionEnd &end, int64_t coedge, double pa
     return placements_[static_cast<size_t>(branch_of(end).instance)].in_whole({x[0], x[1], x[2]});
 }
 
-// Of the edge against the plane: the sine of the angle between them.
+// The sine of the angle between the edge and the plane.
 double SectionJoints::slope(const SectionEnd &end) const {
     const auto &[coedge, param] = end.places.front();
     const Interval domain = coedge_of(coedge).curve->axis(0).domain();
@@ -163,7 +166,7 @@ double SectionJoints::slope(const SectionEnd &end) const {
     return far > 0 ? std::abs(dot(way, normal)) / far : 0;
 }
 
-// The nearest one; -1: none is within the room.
+// The nearest corner within the room of an end; -1: none.
 int64_t SectionJoints::corner_near(const SectionEnd &end) const {
     int64_t found = -1;
     double least = end.room;
@@ -221,7 +224,8 @@ void SectionJoints::join_at_corner(std::span<const Item> items) {
     }
 }
 
-// Whether a branch stays within the room: its control points do.
+// Whether a branch stays within twice the room of its end. It does if its control points do (convex hull
+// property).
 bool SectionJoints::is_short(const SectionEnd &end) const {
     const Spline &curve = *branch_of(end).space;
     for (int64_t i = 0; i < curve.point_count(); ++i) {
@@ -233,7 +237,7 @@ bool SectionJoints::is_short(const SectionEnd &end) const {
     return true;
 }
 
-// At poles, where one branch ends and one begins in one place.
+// Joins branches at poles, where exactly one ends and one begins at the same place.
 void SectionJoints::join_in_touches() {
     std::map<int64_t, std::vector<size_t>> of_node;
     for (size_t i = 0; i < sections_.ends.size(); ++i) {
@@ -253,7 +257,8 @@ void SectionJoints::join_in_touches() {
     }
 }
 
-// Each end has a node of its own, but where a touch is told, too.
+// A border node belongs to one end and becomes an edge node. A node of another kind, such as a touch, is
+// reported itself: it stays, and the end gets a node of its own.
 void SectionJoints::join(size_t a, size_t b) {
     std::vector<MeetNode> &nodes = sections_.meet.nodes;
     const double gap = length(sections_.ends[a].point - sections_.ends[b].point);

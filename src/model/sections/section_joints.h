@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the sections of faces go on in each other.
+// Joins the sections of faces across shared edges and corners.
 #pragma once
 
 #include "model/sections/face_sections.h"
@@ -8,9 +8,11 @@
 
 namespace nrb::model {
 
-// Joins branches where they end on edges that two faces of a solid, or two that bound none, share: in the order along the edge, each to
-// the next one of the other face that goes on there and is as near as both say; and at corners, where just one ends and one begins.
-// What has its way through a corner within the room is left out. Ends on shared edges that nothing is found for are undecided.
+// Joins branches where they end on edges that two faces of one solid share, or two faces that bound none. On
+// an edge, ends are matched in their order along it: each with the next end of the other face that has the
+// opposite direction and is within the rooms of both. At a corner, an end and a beginning are joined if there
+// is exactly one of each; a branch that begins and ends at the corner and stays near it is dropped. An end on
+// a shared edge that finds no continuation becomes an undecided node.
 class SectionJoints {
 public:
     SectionJoints(const Model &model, const SharedBorders &borders, const std::vector<Placement> &placements,
@@ -19,7 +21,7 @@ public:
     void run();
 
 private:
-    // An end with its place in the order along the edge, or with its corner.
+    // An end, keyed by its edge and ordered along it, or keyed by its corner.
     struct Item {
         std::array<int64_t, 4> key;
         double order;
@@ -50,10 +52,10 @@ private:
 
     const Model &model_;
     const SharedBorders &borders_;
-    const std::vector<Placement> &placements_; // of instances
-    std::span<const Vector3> normals_;         // of planes, about 1
+    const std::vector<Placement> &placements_; // indexed by instance
+    std::span<const Vector3> normals_;         // of the planes, scaled to about 1
     FaceSections &sections_;
-    std::vector<bool> joined_, dropped_; // ends, branches
+    std::vector<bool> joined_, dropped_; // indexed by end, and by branch
 };
 
 } // namespace nrb::model

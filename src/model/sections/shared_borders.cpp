@@ -37,7 +37,7 @@ void SharedBorders::add_faces(const Model &model) {
     }
 }
 
-// Uses by each solid, or by faces of none, are pairs where there are two.
+// Pairs the uses of an edge if the faces of a solid, or those of none, use it exactly twice.
 void SharedBorders::add_edge(const Model &model, const Edge &edge) {
     std::map<int64_t, std::vector<int64_t>> uses;
     int64_t before = -1;
@@ -78,7 +78,7 @@ void SharedBorders::join_corners() {
     }
 }
 
-// From each face on to those that it shares edges with.
+// Propagates the orientation from the first face of each shell to its neighbours.
 void SharedBorders::turn_faces(const Model &model) {
     std::vector<std::vector<std::pair<int64_t, bool>>> beside(model.faces.size());
     const auto runs_against = [&](const SharedCoedge &coedge) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which faces go on beyond the curves that bound a face, and where these curves meet.
+// Adjacency of faces: which face continues beyond each curve that bounds a face, and at which corners these
+// curves meet.
 #pragma once
 
 #include "model/model.h"
@@ -10,17 +11,19 @@
 
 namespace nrb::model {
 
-// A curve of a loop of a face.
+// A coedge (a curve of a loop of a face) with its neighbours.
 struct SharedCoedge {
     int64_t face;
     int32_t loop, index;
-    int64_t pair = -1;    // of two uses of an edge by faces of one solid, or of none; -1: there are not two
-    int32_t side = 0;     // which of the two it is
-    bool against = false; // whether the edge runs against the curve
-    int64_t start = 0, end = 0; // corners: one number where curves meet, whatever their faces
+    // The number of the pair that two uses of an edge by faces of one solid, or of none, form; -1: there are
+    // not exactly two.
+    int64_t pair = -1;
+    int32_t side = 0;           // which of the two it is
+    bool against = false;       // whether the edge runs against the curve
+    int64_t start = 0, end = 0; // corners; curves that meet have a common number, whatever their faces
 };
 
-// Cost: linear in the number of curves.
+// Construction is linear in the number of curves.
 class SharedBorders {
 public:
     explicit SharedBorders(const Model &model);
@@ -31,8 +34,8 @@ public:
     [[nodiscard]] const SharedCoedge &coedge(int64_t number) const noexcept {
         return coedges_[static_cast<size_t>(number)];
     }
-    // Whether a face has to be seen from its other side to run as the first one of those that hang together does. Faces of solids
-    // are never turned.
+    // Whether a face has to be turned to be oriented like the first face of its shell, the faces connected by
+    // edges. Faces of solids are never turned.
     [[nodiscard]] bool is_turned(int64_t face) const noexcept { return turned_[static_cast<size_t>(face)]; }
 
 private:
@@ -41,10 +44,10 @@ private:
     void join_corners();
     void turn_faces(const Model &model);
 
-    std::vector<std::vector<int64_t>> first_; // of each face and loop
+    std::vector<std::vector<int64_t>> first_; // indexed by face and loop
     std::vector<SharedCoedge> coedges_;
     std::vector<std::array<int64_t, 2>> pairs_;
-    std::vector<std::array<int64_t, 2>> same_; // uses of one edge
+    std::vector<std::array<int64_t, 2>> same_; // consecutive uses of an edge
     std::vector<bool> turned_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ends of sides, of which those that are near each other are one vertex.
+// Merges the ends of sides that are near each other into vertices.
 #pragma once
 
 #include "base/disjoint_sets.h"
@@ -13,16 +13,17 @@ namespace nrb::model {
 
 class Corners {
 public:
-    // Ends no farther from each other than the tolerance are one.
+    // Two ends no farther apart than the tolerance are one vertex, and so are ends that chains of such pairs
+    // connect.
     Corners(const std::vector<Side> &sides, double tolerance);
 
-    // The vertex at an end of a side, by the least number of its ends.
+    // The vertex at an end of a side. A vertex is named by the least number among its ends.
     [[nodiscard]] size_t at(size_t side, bool upper) noexcept {
         return classes_.find(2 * side + (upper ? 1 : 0));
     }
     [[nodiscard]] size_t now(size_t vertex) noexcept { return classes_.find(vertex); }
     void join(size_t a, size_t b) noexcept { classes_.join(a, b); }
-    // The vertices, and the middle of the ends of each.
+    // All vertices, each with the mean of its ends.
     struct Middle {
         size_t vertex;
         Vector3 point;
@@ -30,7 +31,7 @@ public:
     [[nodiscard]] std::vector<Middle> middles();
 
 private:
-    std::vector<Vector3> ends_; // of each side its start and its end
+    std::vector<Vector3> ends_; // start and end of each side
     DisjointSets classes_;
 };
 

@@ -49,7 +49,7 @@ SidePieces pieces_of(const std::vector<Side> &sides, double tolerance) {
     return size(needed) == size(cuts) ? std::move(pieces) : SidePieces(sides, needed, corners, tolerance);
 }
 
-// Whether a surface closes up alike.
+// Whether a surface closes up in the same way under both coverings.
 bool closes_alike(const face::Covering &a, const face::Covering &b) noexcept {
     return std::ranges::all_of(std::array{0, 1}, [&](int k) {
         return a.closed(k) == b.closed(k) && a.collapsed(k, 0) == b.collapsed(k, 0) &&
@@ -57,6 +57,7 @@ bool closes_alike(const face::Covering &a, const face::Covering &b) noexcept {
     });
 }
 
+// Makes the edges, vertices and faces of the model from the matched pieces of sides.
 class Sewer {
 public:
     Sewer(const std::vector<face::FacePtr> &faces, double tolerance, double metres_per_unit)
@@ -81,7 +82,7 @@ public:
     }
 
 private:
-    // What is no larger than the tolerance is left out, unless nothing would be left of a loop.
+    // Drops collapsed pieces, no larger than the tolerance, unless a loop consists of nothing else.
     void keep_pieces() {
         const std::vector<SidePiece> &all = pieces_.all();
         kept_.assign(all.size(), true);
@@ -102,7 +103,7 @@ private:
 
     void add_face(size_t number) {
         const Patch &patch = patches_[number];
-        const double least = tolerance_ / 1024; // so that curves can be made to it
+        const double least = tolerance_ / 1024; // enough for curves to be made within it
         face::FaceParts parts{patch.given->surface(), {}, std::max(patch.given->tolerance(), least), true};
         parts.keep_gaps = patch.given->has_gaps();
         parts.loops.resize(patch.loops.size());
@@ -114,7 +115,7 @@ private:
         model_.faces.push_back(std::move(made));
     }
 
-    // Pieces are in the order of faces. Whether one is left out.
+    // Pieces are in the order of faces. Returns whether one was left out.
     bool add_loops(size_t number, face::FaceParts &parts) {
         bool left_out = false;
         const std::vector<SidePiece> &all = pieces_.all();
@@ -129,7 +130,8 @@ private:
         return left_out;
     }
 
-    // So large that the surface closes up as the loops have it, and that these close over what is left out.
+    // Makes the tolerance so large that the surface closes up as the loops assume, and that the loops close
+    // across the pieces left out.
     void set_tolerance(const Patch &patch, bool left_out, face::FaceParts &parts) const {
         const face::Covering wanted(*parts.surface, patch.tolerance);
         const auto closes = [&](double tolerance) {
@@ -141,7 +143,7 @@ private:
         const double wide = std::max(parts.tolerance, tolerance_);
         if (left_out && closes(wide)) {
             parts.tolerance = wide;
-        } else if (left_out) { // of a surface that is nowhere wider
+        } else if (left_out) { // a thin surface, which would close up differently
             parts.keep_gaps = true;
         }
     }
@@ -184,7 +186,7 @@ private:
     std::vector<Side> sides_;
     SidePieces pieces_;
     std::vector<bool> kept_;
-    size_t next_ = 0; // piece
+    size_t next_ = 0; // the next piece to be added
     std::map<size_t, int64_t> edges_, vertices_;
     Model model_;
 };

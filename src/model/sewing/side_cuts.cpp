@@ -25,7 +25,8 @@ bool is_small(const Side &side, double from, double to, double tolerance) {
     return !(from < to) || is_collapsed(*refine::cut_axis(side.image, 0, from, to, {true, true}), tolerance);
 }
 
-// Leaves out cuts behind which, or before the end behind which, nothing is left.
+// Leaves out cuts after which, up to the next cut or the end of the side, no more than a collapsed piece
+// would remain, and merges the vertices at the ends of such a piece.
 std::vector<SideCut> kept_cuts(const Side &side, size_t number, std::vector<SideCut> &&found,
                                Corners &corners, double tolerance) {
     const Interval domain = side.image->axis(0).domain();

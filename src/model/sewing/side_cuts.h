@@ -10,11 +10,11 @@ namespace nrb::model {
 
 struct SideCut {
     double param;
-    size_t vertex; // one at the time when the cut was found
+    size_t vertex; // its name when the cut was found; see Corners::now()
 };
 
-// Of each side, rising: where a vertex is no farther from it than the tolerance, and none of its own ends. Vertices between which
-// a side would have a piece no larger than the tolerance become one.
+// The cuts of each side, ascending: at the nearest points to vertices within the tolerance of it that are not
+// its own ends. Vertices between which a side would have a piece no larger than the tolerance are merged.
 std::vector<std::vector<SideCut>> cuts_of(const std::vector<Side> &sides, Corners &corners, double tolerance);
 
 } // namespace nrb::model

@@ -11,8 +11,8 @@ namespace nrb::model {
 
 namespace {
 
-// Which of some pieces lie along each other. Those that most others lie along lead, so that the order of the pieces does not
-// matter.
+// Which of several pieces match each other. The piece with the most partners leads, so that the order of the
+// pieces matters only where several have the most.
 class MatchTable {
 public:
     explicit MatchTable(size_t count) : count_(count), found_(count * count) {}
@@ -21,7 +21,7 @@ public:
     [[nodiscard]] const std::optional<face::CurveMatch> &between(size_t a, size_t b) const noexcept {
         return found_[a * count_ + b];
     }
-    // The first of those with the most partners among the ones that are left; none if no two of these are partners.
+    // Among the pieces not taken yet, the first one with the most partners; none if no two of them match.
     [[nodiscard]] std::optional<size_t> leader(const std::vector<bool> &taken) const {
         std::optional<size_t> best;
         int64_t most = 0;
@@ -58,7 +58,7 @@ SidePieces::SidePieces(const std::vector<Side> &sides, const std::vector<std::ve
     for (size_t i = 0; i < sides.size(); ++i) {
         add_side(sides[i], i, cuts[i], corners, tolerance);
     }
-    for (SidePiece &piece : pieces_) { // small ones have made one vertex of two
+    for (SidePiece &piece : pieces_) { // collapsed pieces have merged vertices since
         piece.vertices = {corners.now(piece.vertices[0]), corners.now(piece.vertices[1])};
     }
     for (const auto &[ends, numbers] : by_ends()) {
@@ -67,7 +67,7 @@ SidePieces::SidePieces(const std::vector<Side> &sides, const std::vector<std::ve
     set_members();
 }
 
-// Those that may be one edge.
+// Groups the pieces by their end vertices. Only pieces of one group can be one edge.
 std::map<std::array<size_t, 2>, std::vector<size_t>> SidePieces::by_ends() const {
     std::map<std::array<size_t, 2>, std::vector<size_t>> alike;
     for (size_t i = 0; i < pieces_.size(); ++i) {
@@ -137,7 +137,7 @@ void SidePieces::set_members() {
     }
 }
 
-// The piece of the same side behind its end at a vertex.
+// The adjoining piece of the same side, beyond the end of a piece at a vertex.
 std::optional<size_t> SidePieces::beyond(size_t piece, size_t vertex) const {
     const SidePiece &own = pieces_[piece];
     const bool at_end = own.vertices[1] == vertex;

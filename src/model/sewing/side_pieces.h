@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pieces between the cuts of sides, and which of them are one edge.
+// The pieces of sides between their cuts, and which of them form one edge.
 #pragma once
 
 #include "model/sewing/side_cuts.h"
@@ -13,24 +13,27 @@ namespace nrb::model {
 struct SidePiece {
     size_t side;
     Interval range; // of the parameter of the side
-    bool whole;     // all of the side, which is left as it is
+    bool whole;     // the whole side, which is kept as it is
     std::array<size_t, 2> vertices;
     SplinePtr image;
     bool collapsed; // no larger than the tolerance
-    // Of an edge with the curve of a piece that leads, which may be this one.
+    // The piece whose curve is that of the edge; possibly this one.
     size_t leader;
     bool against = false; // whether the two run in opposite directions
-    double gap = 0;       // from the curve of the leader, both ways
+    // The distance, both ways, between the curve of the leader and the exact image of this piece on its
+    // surface.
+    double gap = 0;
 };
 
-// In the order of sides and parameters.
+// Cuts the sides and matches the pieces. These are in the order of sides and parameters.
 class SidePieces {
 public:
     SidePieces(const std::vector<Side> &sides, const std::vector<std::vector<SideCut>> &cuts,
                Corners &corners, double tolerance);
 
     [[nodiscard]] const std::vector<SidePiece> &all() const noexcept { return pieces_; }
-    // The cuts without those at which each piece of an edge goes on with a piece of one other edge.
+    // The cuts that are needed. A cut is dropped where the pieces of one edge continue, one by one, in those
+    // of another edge.
     [[nodiscard]] std::vector<std::vector<SideCut>> needed(std::vector<std::vector<SideCut>> cuts) const;
 
 private:
@@ -43,7 +46,7 @@ private:
     [[nodiscard]] bool goes_on(size_t piece, size_t next, size_t vertex) const;
 
     std::vector<SidePiece> pieces_;
-    std::vector<std::vector<size_t>> members_; // of each leader
+    std::vector<std::vector<size_t>> members_; // indexed by leader
 };
 
 } // namespace nrb::model

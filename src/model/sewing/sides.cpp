@@ -29,7 +29,8 @@ bool is_whole(const face::Face &face) {
     return std::ranges::equal(face.loops(), face::natural_loops(face.covering()), same_curves);
 }
 
-// Whether the middle between two sides that would meet is as near to them as they are to each other.
+// Whether the line midway between the two ends of axis k is within twice the tolerance of the lower end, at
+// five samples. The ends are then near each other because the surface is thin, not because it closes.
 bool is_thin(const Spline &surface, const face::Covering &covering, int k, double tolerance) {
     const int along = 1 - k;
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -69,7 +70,8 @@ std::optional<StraightCurve> along_axis(const Spline &curve, const face::Coverin
     return std::nullopt;
 }
 
-// The curve of the surface along its axis: of its own degree, which one of a composition is not.
+// The isoparametric curve. It has the degree of the surface along the axis, which a composed curve would
+// exceed.
 SplinePtr iso_image(const Spline &surface, const Spline &curve, const StraightCurve &straight) {
     const SplinePtr iso = refine::iso(surface, straight.across, straight.at, {});
     const bool falls = straight.from > straight.to;
@@ -84,7 +86,7 @@ void set_image(const face::Face &face, double tolerance, Side &side) {
         try {
             side.image = iso_image(*face.surface(), *side.curve, *side.along);
             return;
-        } catch (const Error &) { // knots would merge
+        } catch (const Error &) { // knots would coincide
         }
     }
     const face::MadeCurve made = face::edge_over(face.surface(), face.covering(), side.curve, tolerance / 16);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sides along which patches may be sewn.
+// The sides of patches, along which they may be sewn.
 #pragma once
 
 #include "face/face.h"
@@ -11,41 +11,44 @@
 
 namespace nrb::model {
 
-// A face as it is to be sewn.
+// A face prepared for sewing.
 struct Patch {
     face::FacePtr given;
     std::vector<face::Loop> loops;
-    bool natural =
-        false; // the boundary of its surface, of whose sides those that meet or are poles at the tolerance are left out
-    double tolerance = 0; // at which its surface closes up as the loops have it
+    // Whether the loops are the boundary of the whole surface, without those sides that at `tolerance` meet
+    // each other (a seam) or are poles.
+    bool natural = false;
+    double tolerance = 0; // at which the surface closes up as the loops assume
 };
 
-// A face that is all of a surface, whatever its tolerance, is taken as it is at the tolerance of sewing, unless it is so thin that
-// its own sides would meet all over.
+// A face that is the whole of its surface gets the natural boundary at the tolerance of sewing, if that is
+// larger than its own, unless the surface is so thin that two of its sides would meet all along.
 Patch patch_of(const face::FacePtr &face, double tolerance);
 
-// A curve along an axis from end to end, as natural boundaries are.
+// A curve of the domain along one axis: `across` is the other axis, on which it stays at `at`; along its own
+// it runs from `from` to `to`.
 struct StraightCurve {
     int across;
     double at, from, to;
 };
 
-// A curve of a loop, with what the surface makes of it in space over the same parameters.
+// A curve of a loop, with its image on the surface in space over the same parameters.
 struct Side {
     int64_t patch = 0, loop = 0, index = 0;
     SplinePtr curve, image{};
-    double off = 0; // how far the image is from where the surface maps the curve to
+    double off = 0; // distance of `image` from the exact image, as edge_over() found it
     std::optional<StraightCurve> along{};
     intersect::Box3 box{}; // of the image
 };
 
-// The curve in the domain over a part of its parameters: exactly along the axis where all of it is.
+// The part of the curve in the domain over an interval of its parameter. A part of a straight curve along an
+// axis is exactly along the axis, too.
 SplinePtr curve_part(const Side &side, Interval range);
 
-// In the order of patches, loops and curves.
+// All sides, in the order of patches, loops and curves.
 std::vector<Side> sides_of(const std::vector<Patch> &patches, double tolerance);
 
-// Whether no point of a curve is farther from its start than the tolerance, for certain.
+// Whether it is certain that no point of a curve is farther from its start than the tolerance.
 bool is_collapsed(const Spline &curve, double tolerance);
 
 } // namespace nrb::model

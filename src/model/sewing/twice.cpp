@@ -26,7 +26,7 @@ bool are_same(const face::Face &a, const face::Face &b) {
 
 } // namespace
 
-// Equal ones begin with equal points.
+// Compares only faces whose surfaces begin with the same coordinates of control points.
 void refuse_twice(const std::vector<face::FacePtr> &faces) {
     std::map<std::vector<double>, std::vector<size_t>> by_points;
     for (size_t i = 0; i < faces.size(); ++i) {

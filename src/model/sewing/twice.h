@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Patches that are given twice.
+// Refuses patches that are given twice.
 #pragma once
 
 #include "face/face.h"
@@ -8,7 +8,8 @@
 
 namespace nrb::model {
 
-// Throws Status::same, naming both, if two faces are one, or equal bit for bit in their surfaces and curves.
+// Throws Status::same, naming both, if two faces are the same object, or have surfaces and curves of loops
+// that are equal bit for bit.
 void refuse_twice(const std::vector<face::FacePtr> &faces);
 
 } // namespace nrb::model

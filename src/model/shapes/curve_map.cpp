@@ -7,7 +7,7 @@
 namespace nrb::model {
 namespace {
 
-// The break before t and the one behind it.
+// The breaks around t; outside the domain, its ends.
 Interval piece_at(const KnotVector &knots, double t) noexcept {
     const Interval domain = knots.domain();
     if (!(t > domain.lower) || !(t < domain.upper)) {
@@ -25,7 +25,7 @@ double inverse_tangent(ParameterLaw law, double x) noexcept {
     return law == ParameterLaw::angle ? std::atan(x) : std::atanh(x);
 }
 
-// What the pieces of a composite curve have before them.
+// The piece of a composite curve at t. Adds the lengths of the pieces before it to `offset`.
 const CurvePiece &composite_piece(const CurveShape &curve, double t, double &offset) noexcept {
     for (size_t i = 0;; ++i) {
         const CurvePiece &piece = curve.pieces[i];
@@ -37,8 +37,8 @@ const CurvePiece &composite_piece(const CurveShape &curve, double t, double &off
     }
 }
 
-// Which law holds around a parameter: pieces of a composite curve have their own. Their knots in it have been moved,
-// and perhaps turned around, which keeps the law.
+// The law that holds at a parameter. Each piece of a composite curve has its own. Within the composite spline
+// its knots are shifted and possibly reversed, which does not change the law.
 ParameterLaw law_at(const CurveShape &curve, double t) noexcept {
     const CurveShape *at = &curve;
     while (true) {

@@ -12,7 +12,7 @@
 namespace nrb::model {
 namespace {
 
-// In the frame of the curve.
+// Coordinates in the frame of the curve.
 Vector3 local(const CurveShape &curve, const Vector3 &point) noexcept {
     const Vector3 p = point - curve.place.origin;
     return {dot(curve.place.x, p), dot(curve.place.y, p), dot(curve.place.z, p)};
@@ -20,11 +20,11 @@ Vector3 local(const CurveShape &curve, const Vector3 &point) noexcept {
 
 double angle_of(double x, double y) noexcept {
     const double angle = std::atan2(y, x);
-    return angle < -0x1p-49 ? angle + turn : std::max(angle, 0.0); // rounding below 0 is 0, not a turn
+    return angle < -0x1p-49 ? angle + turn : std::max(angle, 0.0); // rounding below 0 gives 0, not 2 pi
 }
 
-// Newton's iteration for the foot of a point on an ellipse; the angle of the scaled point is its start, and already
-// right for points of the ellipse.
+// The foot point on an ellipse by Newton's iteration. It starts from the angle of the point scaled to a
+// circle, which is exact for points of the ellipse.
 double ellipse_parameter(double a, double b, double x, double y) noexcept {
     double t = std::atan2(y / b, x / a);
     for (int i = 0; i < 8; ++i) {
@@ -40,7 +40,7 @@ double ellipse_parameter(double a, double b, double x, double y) noexcept {
     return angle_of(std::cos(t), std::sin(t));
 }
 
-// The point lies on the curve but for a tolerance, so that a search which takes long will not find better.
+// The point lies on the curve to a tolerance, so that a long search would find nothing better.
 double spline_parameter(const Spline &spline, const double *point) {
     constexpr int64_t most_pieces = 4096;
     const closest::Query query{point, nullptr, 0, std::min(closest::usual_budget(spline), most_pieces),
@@ -57,7 +57,7 @@ double trimmed_parameter(const CurveShape &curve, const double *point) {
     double t = parameter_at(*piece.curve, point);
     const double around = period(*piece.curve, 0);
     if (around > 0 && t < piece.range.lower) {
-        // whichever end is nearer, for points before the one or behind the other
+        // of t and t + around, the one in the range or, if neither is, the nearer one
         const bool outside = t + around > piece.range.upper;
         t += !outside || piece.range.lower - t > t + around - piece.range.upper ? around : 0;
     }

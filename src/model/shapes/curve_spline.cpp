@@ -19,7 +19,8 @@ bool is_conic(const CurveShape &curve) noexcept {
     return curve.kind == CurveKind::circle || curve.kind == CurveKind::ellipse;
 }
 
-// The largest extent of the control points along an axis.
+// The size to which tolerances are relative: the largest side of the box of control points of a spline; s0 of
+// a line or a conic.
 double size_of(const CurveShape &curve) {
     switch (curve.kind) {
     case CurveKind::spline:
@@ -32,7 +33,7 @@ double size_of(const CurveShape &curve) {
     }
 }
 
-// From a to b, behind the seam if b is not behind a.
+// The piece from a to b in the given direction, across the seam if that is necessary.
 CurvePiece closed_piece(const CurveShapePtr &curve, double a, double b, bool forward, double around) {
     if (!forward) {
         std::swap(a, b);
@@ -53,7 +54,7 @@ CurvePiece checked(CurvePiece piece) {
     return piece;
 }
 
-// Between two points of a curve that has ends.
+// Finds the piece between two points of a curve with a bounded range.
 class BoundedEnds {
 public:
     BoundedEnds(const CurveShapePtr &curve, const CurveEnds &ends)
@@ -79,7 +80,7 @@ private:
     }
     [[nodiscard]] Vector3 point(const double *x) const noexcept { return in_space(x, curve_->place.dim); }
 
-    // Where both ends of the curve are near, the one that is asked for.
+    // If the point is near both ends of the curve, `first` chooses between them.
     [[nodiscard]] double parameter(const double *x, bool first) const {
         const bool at_first = near(point(x), first_), at_last = near(point(x), last_);
         if (at_first || at_last) {
@@ -118,7 +119,7 @@ SplinePtr arc_spline(const CurveShape &conic, Interval range) {
         range);
 }
 
-// A range that goes on behind the end of a closed spline takes the rest from its start.
+// A range that runs past the end of a closed spline continues at its start.
 SplinePtr part_of_spline(const SplinePtr &spline, Interval range) {
     const Interval domain = spline->axis(0).domain();
     range.lower = std::max(range.lower, domain.lower);

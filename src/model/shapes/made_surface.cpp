@@ -10,7 +10,7 @@ namespace nrb::model {
 
 namespace {
 
-// Offsets and parts of each other, the innermost first, and the surface under them.
+// The nested offsets and trims of a surface, innermost first, and the surface under them.
 struct Chain {
     std::vector<const SurfaceShape *> steps;
     const SurfaceShape *base;
@@ -30,7 +30,7 @@ Chain chain_of(const SurfaceShape &surface, const Rectangle &range) {
     return chain;
 }
 
-// 1 or -1: whether the normal of an offset is that of the spline.
+// 1 if the normal of the offset of a spline is that of the spline, -1 if it is opposite.
 int side_of(const SplinePtr &spline, double distance, const fit::OffsetRule &rule) {
     const int side = fit::offset_side(spline, distance, rule);
     if (side == 0) {
@@ -42,10 +42,11 @@ int side_of(const SplinePtr &spline, double distance, const fit::OffsetRule &rul
     return side;
 }
 
-// The sum of all distances along the normal of the base.
+// The total offset along the normal of the base: the sum of all distances, each with the sign that the
+// normals before it give.
 double distance_of(const Chain &chain, const SplinePtr &spline, const fit::OffsetRule &rule) {
     double sum = 0;
-    bool mirrored = false, known = true; // the side
+    bool mirrored = false, known = true; // known: whether `side` is that at `sum`
     int side = 1;
     for (const SurfaceShape *step : chain.steps) {
         if (step->kind == SurfaceKind::trimmed) {

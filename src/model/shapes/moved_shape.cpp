@@ -23,7 +23,7 @@ build::Placement frame_at(const Vector3 &origin, const Vector3 &z, const Vector3
     return build::make_placement(3, at, axis, across, "origin");
 }
 
-// With the images of X and Y; Z is that of the given one, or against it in a mirror.
+// The frame with the images of X and Y. Its Z is the image of Z or, in a mirror, opposite to it.
 build::Placement moved_frame(const build::Placement &place, const Similarity &motion) {
     const Vector3 x = motion.turned(place.x);
     return frame_at(motion.point(place.origin), cross(x, motion.turned(place.y)), x);
@@ -49,7 +49,8 @@ std::vector<CurvePiece> moved_pieces(const std::vector<CurvePiece> &given, const
     return pieces;
 }
 
-// The image of a surface with a frame, as one that is swept: from the images of X, Y and Z of that.
+// The image of an elementary surface as an extrusion or a surface of revolution, made from the images of the
+// axes of its frame.
 class Swept {
 public:
     Swept(const SurfaceShape &surface, const Similarity &motion)
@@ -62,7 +63,7 @@ public:
             return extruded(line(x_, scale_), y_);
         case SurfaceKind::cylinder:
             return extruded(circle(origin_, y_, given_.sizes[0]), z_);
-        case SurfaceKind::cone: // from the radius s0 on by tan s1 outwards for each unit along the axis
+        case SurfaceKind::cone: // radius s0 at v = 0, growing by tan s1 per unit along the axis
             return revolved(line(std::tan(given_.sizes[1]) * x_ + z_, scale_ / std::cos(given_.sizes[1]),
                                  origin_ + given_.sizes[0] * x_));
         case SurfaceKind::sphere:
@@ -85,7 +86,7 @@ private:
         shape.vector = way;
         return shape;
     }
-    // By u from X to Y.
+    // The angle u runs from X to Y.
     [[nodiscard]] SurfaceShape revolved(CurveShapePtr curve) const {
         SurfaceShape shape = empty(SurfaceKind::revolution);
         shape.curve = std::move(curve);
@@ -96,10 +97,10 @@ private:
         return line(way, size, origin_);
     }
     [[nodiscard]] CurveShapePtr line(const Vector3 &way, double size, const Vector3 &from) const {
-        // any Z will do that is across the way
+        // any Z perpendicular to the line will do
         return shared({CurveKind::line, frame_at(from, cross(way, y_), way), {size, 0}, nullptr, {}});
     }
-    // From X to another of the axes.
+    // The angle runs from X to another of the axes.
     [[nodiscard]] CurveShapePtr circle(const Vector3 &centre, const Vector3 &to, double radius) const {
         return shared(
             {CurveKind::circle, frame_at(centre, cross(x_, to), x_), {radius * scale_, 0}, nullptr, {}});
@@ -114,7 +115,7 @@ private:
     double scale_;
 };
 
-// Whether the image has the parameters of its kind.
+// Whether the image, with the parameters of the given surface, is one of the same kind.
 bool keeps_kind(SurfaceKind kind, const Similarity &motion) noexcept {
     switch (kind) {
     case SurfaceKind::plane:
@@ -133,11 +134,11 @@ SurfaceShape elementary(SurfaceShape surface, const Similarity &motion) {
     }
     surface.place = moved_frame(surface.place, motion);
     surface.sizes[0] *= motion.scale();
-    surface.sizes[1] *= surface.kind == SurfaceKind::torus ? motion.scale() : 1; // of a cone an angle
+    surface.sizes[1] *= surface.kind == SurfaceKind::torus ? motion.scale() : 1; // that of a cone is an angle
     return surface;
 }
 
-// In a mirror an axis turns the other way around, and normals along S_u x S_v point to the other side.
+// A mirror reverses the rotation about an axis, and the side to which normals along S_u x S_v point.
 SurfaceShape image(SurfaceShape surface, const Similarity &motion) {
     const double side = motion.mirrors() ? -1 : 1;
     switch (surface.kind) {

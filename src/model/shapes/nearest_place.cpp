@@ -10,7 +10,7 @@
 namespace nrb::model {
 namespace {
 
-// Around the axis of a placement: the angle, the distance from the axis, and the height.
+// Cylindrical coordinates about the axis of a placement.
 struct Cylindrical {
     double angle, radius, height;
 };
@@ -21,7 +21,7 @@ Cylindrical cylindrical(const build::Placement &place, const double *point) noex
     return {std::atan2(y, x), std::hypot(x, y), dot(from, place.z)};
 }
 
-// The parameter along the profile, a line or a circle in the half-plane of the point.
+// The parameter v of the foot point on the profile, a line or a circle in the half-plane of the point.
 double along_profile(const SurfaceShape &surface, const Cylindrical &at) noexcept {
     switch (surface.kind) {
     case SurfaceKind::cone: {
@@ -37,7 +37,7 @@ double along_profile(const SurfaceShape &surface, const Cylindrical &at) noexcep
     }
 }
 
-// The copy of an angle in a range, or the end of the range that is nearest to it.
+// The angle modulo full turns in a range, or the nearer end of the range.
 double angle_in(double angle, Interval range) noexcept {
     const double turns = std::floor((angle - range.lower) / turn);
     const double first = angle - turns * turn;

@@ -15,14 +15,14 @@ namespace {
 
 using fit::CurveOffset;
 
-// Of directions that are parallel, after their rounding.
+// The sine below which directions count as parallel, after their rounding.
 constexpr double parallel_sine = 1e-14;
 
 Vector3 axis_of(const CurveShape &circle) noexcept {
     return circle.place.dim == 2 ? Vector3{0, 0, 1} : circle.place.z;
 }
 
-// The same curve against the same reference direction has its normal on the other side.
+// The offset of the curve of a piece. A reversed curve has its normal on the other side.
 CurveOffset along(const CurvePiece &piece, const CurveOffset &offset) noexcept {
     return {piece.forward ? offset.distance : -offset.distance, offset.reference};
 }
@@ -32,7 +32,7 @@ bool is_segment(const CurveShape &curve) noexcept {
            curve.spline->point_count() == 2 && !curve.spline->rational();
 }
 
-// What lines with a direction are moved by.
+// The translation that offsets a line with a direction.
 Vector3 shift_of(const Vector3 &way, const CurveOffset &offset) {
     const Vector3 normal = cross(offset.reference, way);
     const double l = length(normal);
@@ -61,7 +61,8 @@ MadeCurve offset_line(CurveShape line, const CurveOffset &offset) {
     return {std::make_shared<const CurveShape>(std::move(line))};
 }
 
-// Z x T is inwards. Beyond the centre the radius is negative: that is the circle from its other side on.
+// Z x T points inwards, where Z is the axis and T the tangent. Beyond the centre the radius is negative: the
+// offset is then a circle that starts at the opposite point.
 MadeCurve offset_circle(CurveShape circle, const CurveOffset &offset) {
     const double radius =
         circle.sizes[0] -
@@ -154,7 +155,7 @@ MadeCurve offset_curve_shape(const CurveShapePtr &basis, std::span<const double>
         return distances.empty() ? MadeCurve{basis}
                                  : offset_curve_shape(basis, {distances.front(), reference}, rule, gap);
     }
-    if (has_known_offset(*basis, {distances.front(), reference})) { // and so has that
+    if (has_known_offset(*basis, {distances.front(), reference})) { // then that of the offset is known, too
         const MadeCurve first = offset_curve_shape(basis, {distances.front(), reference}, rule, gap);
         MadeCurve all = offset_curve_shape(first.curve, distances.subspan(1), reference, rule, gap);
         all.turns_back = all.turns_back != first.turns_back;

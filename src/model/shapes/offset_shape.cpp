@@ -19,14 +19,14 @@ Result grown(SurfaceShape shape, int size, double by) {
     return shape.sizes[size] > 0 ? Result(std::move(shape)) : std::nullopt;
 }
 
-// Half a turn about Z.
+// Rotates the frame by half a turn about Z.
 void turn_around(build::Placement &place) noexcept {
     for (Vector3 *v : {&place.x, &place.y, &place.x_rest, &place.y_rest, &place.given_x}) {
         *v = -1.0 * *v;
     }
 }
 
-// Beyond the axis the radius is negative: that is the cylinder from its other side on.
+// Beyond the axis the radius is negative: the offset is then a cylinder that starts on the opposite side.
 Result cylinder_at(SurfaceShape cylinder, double distance) {
     const double radius = cylinder.sizes[0] + distance;
     if (radius < 0) {
@@ -36,7 +36,7 @@ Result cylinder_at(SurfaceShape cylinder, double distance) {
     return radius != 0 ? Result(std::move(cylinder)) : std::nullopt;
 }
 
-// Beyond the centre too, where v runs the other way, and the normal is inwards.
+// The same beyond the centre, where besides v runs backwards, and the normal points inwards.
 Result sphere_at(SurfaceShape sphere, double distance) {
     const double radius = sphere.sizes[0] + distance;
     sphere.sizes[0] = std::abs(radius);
@@ -52,21 +52,22 @@ Result sphere_at(SurfaceShape sphere, double distance) {
     return turned;
 }
 
-// With half of the angle a at the apex the normal is cos a outwards and -sin a along the axis.
+// With half the apex angle a, the unit normal is cos a times the outward radial direction minus sin a times
+// the axis.
 Result cone_at(SurfaceShape cone, double distance) {
     const double half = cone.sizes[1];
     move(cone.place, -std::sin(half) * distance * cone.place.z);
     return grown(std::move(cone), 0, std::cos(half) * distance);
 }
 
-// A tube that meets itself or the axis is none that could be stated.
+// A torus whose tube meets itself or the axis is not an elementary surface.
 Result torus_at(SurfaceShape torus, double distance) {
     const double major = torus.sizes[0], minor = torus.sizes[1] + distance;
     return torus.sizes[1] < major && minor < major ? grown(std::move(torus), 1, distance) : std::nullopt;
 }
 
-// S_u x S_v of a line along X that is moved along V is the same everywhere; of a circle that is moved along its axis it is outwards
-// from it, or inwards against it.
+// The normal S_u x S_v is constant for a line along X that is extruded along V. For a circle that is extruded
+// along its axis it points outwards, or inwards if V is opposite to the axis.
 Result extrusion_at(SurfaceShape extrusion, double distance) {
     const Vector3 &way = extrusion.vector;
     CurveShape curve = *extrusion.curve;
@@ -92,7 +93,7 @@ Result extrusion_at(SurfaceShape extrusion, double distance) {
     return extrusion;
 }
 
-// With one parameter in the other direction so is the normal.
+// Reversing one parameter reverses the normal.
 Result part_at(SurfaceShape part, double distance) {
     part.basis = known_offset(part.basis, part.u_forward == part.v_forward ? distance : -distance);
     return part.basis != nullptr ? Result(std::move(part)) : std::nullopt;
@@ -126,23 +127,25 @@ int sign_of(double x) noexcept {
     return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
 
-// Around the tube, and around the axis unless the larger tube reaches it.
+// The curvature around the tube gives the sign. The one around the axis does not change it unless the larger
+// tube reaches the axis; then the side is not the same everywhere.
 int side_of_torus(const SurfaceShape &torus, double distance) noexcept {
     const double minor = torus.sizes[1] + distance;
     return torus.sizes[1] < torus.sizes[0] && std::abs(minor) < torus.sizes[0] ? sign_of(minor) : 0;
 }
 
-// Whether the normal of the offset is that of the basis, 1, or turned around, -1; 0 where it is not the same everywhere, or not known:
-// the sign of (1 - k1 d)(1 - k2 d) with the principal curvatures. A radius r becomes r + d, and -1 / r is a curvature.
+// 1 if the normal of the offset is that of the basis, -1 if it is opposite, 0 if that is not the same
+// everywhere or not known. It is the sign of (1 - k1 d)(1 - k2 d) with the distance d and the principal
+// curvatures k1, k2 of the basis. A radius r becomes r + d, and its curvature is -1 / r.
 int side_of(const SurfaceShape &basis, double distance) noexcept {
     switch (basis.kind) {
     case SurfaceKind::plane:
         return 1;
     case SurfaceKind::cylinder:
         return sign_of(basis.sizes[0] + distance);
-    case SurfaceKind::sphere: // both curvatures change
+    case SurfaceKind::sphere: // both factors change their sign together
         return basis.sizes[0] + distance != 0 ? 1 : 0;
-    case SurfaceKind::cone: // inwards the apex moves into what was beyond it
+    case SurfaceKind::cone: // inwards, the apex moves into the surface
         return distance >= 0 ? 1 : 0;
     case SurfaceKind::torus:
         return side_of_torus(basis, distance);

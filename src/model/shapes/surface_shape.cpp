@@ -25,7 +25,7 @@ void include(Interval &range, double value) noexcept {
     range = {std::min(range.lower, value), std::max(range.upper, value)};
 }
 
-// The side of the apex on which the radius is not negative.
+// The v on the side of the apex on which the radius is not negative.
 Interval heights_of_cone(const SurfaceShape &cone) noexcept {
     const double slope = std::tan(cone.sizes[1]), apex = -cone.sizes[0] / slope;
     return slope > 0 ? Interval{apex, infinity} : (slope < 0 ? Interval{-infinity, apex} : endless);
@@ -35,7 +35,7 @@ Interval turned_around(Interval range, bool forward) noexcept {
     return forward ? range : Interval{-range.upper, -range.lower};
 }
 
-// What the infinite ends of a range become, from the values that have to be inside.
+// Replaces the infinite ends of a range, so that it contains the given values with a margin.
 Interval replaced(Interval range, Interval values, double size, double margin) noexcept {
     const double length = values.upper - values.lower;
     const double more = std::max({margin * length, margin * size, std::numeric_limits<double>::min()});
@@ -49,6 +49,7 @@ Interval replaced(Interval range, Interval values, double size, double margin) n
     return range;
 }
 
+// range_around() for an unbounded surface that is not an offset surface.
 class PointsAround {
 public:
     PointsAround(const SurfaceShape &surface, std::span<const Vector3> points, double margin)
@@ -87,21 +88,22 @@ private:
         if (surface_.curve->kind == CurveKind::line) {
             return profile_line_range();
         }
-        double far = 0; // turning keeps the distance from a point of the axis
+        double far = 0; // rotation keeps the distance from a point of the axis
         for (const Vector3 &point : points_) {
             far = std::max(far, length(point - surface_.place.origin));
         }
         return range_near(*surface_.curve, surface_.place.origin, far * (1 + margin_));
     }
 
-    // Of a cylinder or cone, which ends at its apex.
+    // The range of v of a cylinder, or of a cone, which ends at its apex.
     [[nodiscard]] Interval heights(Interval all) const {
         const Interval range = replaced(endless, z_, size_, margin_);
         return {std::max(range.lower, all.lower), std::min(range.upper, all.upper)};
     }
 
-    // By the heights of the points above the axis, or by their radii on a line across it. Where the line meets the
-    // axis, the range ends: the other side of that point is the same surface again, or another half of a cone.
+    // The range of v where the profile is a line. A point gets its v from its height along the axis or, if
+    // the line is perpendicular to the axis, from its radius. Where the line meets the axis, the range ends:
+    // beyond, it would trace the same surface again, or the other half of a cone.
     [[nodiscard]] Interval profile_line_range() const {
         const CurveShape &line = *surface_.curve;
         const Vector3 start = local(line.place.origin), way = line.sizes[0] * local_vector(line.place.x);
@@ -130,10 +132,11 @@ private:
                                           : Rectangle{all.u, ways_of_bounded_curve(all.u)};
     }
 
-    // A line has a plane with every direction but its own.
+    // Lines and conics are planar. A line has a plane with every direction except its own.
     static bool has_plane(const CurveShape &curve) noexcept { return curve.kind <= CurveKind::hyperbola; }
 
-    // Where the normal of a plane of the curve is N, a point p has v = (p - C) N / V N, and p - v V is on the curve.
+    // Let N be the normal of the plane of the curve through C, and V the vector of the extrusion. A point p
+    // of the surface has v = (p - C) N / V N, and p - v V is on the curve.
     [[nodiscard]] Rectangle extruded_plane_curve(const Rectangle &all) const {
         const CurveShape &curve = *surface_.curve;
         const Vector3 &way = surface_.vector;
@@ -159,7 +162,7 @@ private:
         return {u, replaced(all.v, v, step, margin_)};
     }
 
-    // From the extents of the points and of the curve along V.
+    // The range of v, from the extents of the points and of the curve along V.
     [[nodiscard]] Interval ways_of_bounded_curve(Interval u) const {
         const double squared = dot(surface_.vector, surface_.vector);
         Interval points = none, curve = none;
@@ -191,7 +194,8 @@ std::vector<Vector3> PointsAround::hull_of(const CurveShape &curve, Interval ran
     return points;
 }
 
-// Points of which the hull contains those at a distance from points of the hull.
+// Points whose convex hull contains everything within a distance of the hull of the given ones. Each point is
+// replaced by the vertices of an octahedron that contains the ball around it.
 std::vector<Vector3> widened(std::span<const Vector3> points, double distance) {
     std::vector<Vector3> more;
     for (const Vector3 &point : points) {

@@ -55,14 +55,14 @@ SplinePtr plane_spline(const build::Placement &place, const Rectangle &range) {
     return make_result({axis(range.u), axis(range.v)}, 3, Form::polynomial, std::move(points));
 }
 
-// Around the axis of the surface.
+// The surface of a profile rotated about the axis of the surface.
 SplinePtr turned(const SurfaceShape &surface, const Rectangle &range, const build::Profile &profile) {
     return over(
         build::turned(surface.place, build::unit_arc(turn_over(range.u), build::arc_quarters), profile),
         range);
 }
 
-// A cylinder, or a cone: its apex, where the range ends, has the radius 0 to the bit.
+// The profile of a cylinder or a cone. The apex of a cone, where its range ends, gets the radius 0 exactly.
 build::Profile straight_profile(const SurfaceShape &surface, const Rectangle &range) {
     const double slope = surface.kind == SurfaceKind::cone ? std::tan(surface.sizes[1]) : 0;
     const Interval all = natural_range(surface).v;
@@ -87,7 +87,7 @@ SplinePtr moved(const SplinePtr &spline, const Vector3 &by) {
     return largest(by) == 0 ? spline : refine::transform(*spline, {3, 3, identity}, way);
 }
 
-// Turned by an angle about the axis of a placement.
+// Rotates a curve by an angle about the axis of a placement.
 SplinePtr turned_curve(const SplinePtr &curve, const build::Placement &place, double angle) {
     if (angle == 0) {
         return curve;
