@@ -56,7 +56,7 @@ std::vector<BorderPlace> BorderPieces::nearest_to(const Point2 &x) const {
     return found;
 }
 
-// With the same coordinate on the axis along which the piece is longer.
+// The place with the same coordinate on the axis along which the piece is longer.
 double BorderPieces::place_near(const TrimPiece &piece, const Point2 &x) const {
     const Covering &covering = face_.covering();
     const bool along_v = (piece.upper[1] - piece.lower[1]) / covering.period(1) >
@@ -67,7 +67,7 @@ double BorderPieces::place_near(const TrimPiece &piece, const Point2 &x) const {
     return before ? 0 : beyond ? 1 : face_.trims().pieces().place_of(piece, static_cast<int>(k), x[k]);
 }
 
-// By the boxes of the control points that are active on each span.
+// By the boxes of the control points that are active on each span (convex hull property).
 std::set<BorderPieces::Key> BorderPieces::near(const Spline &curve) const {
     std::set<Key> found;
     const int p = curve.axis(0).degree();
@@ -102,7 +102,7 @@ void BorderPieces::add_in(const Point2 &lower, const Point2 &upper, std::set<Key
     }
 }
 
-// By how many periods the domain is moved to meet an interval.
+// The numbers of periods, from the least to the largest, by which the domain is moved to meet an interval.
 std::array<int, 2> BorderPieces::turns_of(int k, double lower, double upper) const noexcept {
     const Covering &covering = face_.covering();
     if (!covering.closed(k)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The border of a face as curves, for those that come near it.
+// The border of a face as curves, to be intersected with other curves in its domain.
 #pragma once
 
 #include "face/face.h"
@@ -12,32 +12,34 @@
 
 namespace nrb::face {
 
-// On a curve of a loop of a face.
+// A place on the border of a face: a parameter of a curve of a loop.
 struct BorderPlace {
     int32_t loop = 0, index = 0;
     double param = 0;
 };
 
-// Pieces of the border as curves, moved by periods of the domain; each is made once.
+// The pieces of the border as curves, moved by periods of the domain. Each curve is made once.
 class BorderPieces {
 public:
     explicit BorderPieces(const Face &face) : face_(face) {}
 
-    // How near to the pieces is on them, in the domain: curves on faces are no more exact than that.
+    // Curves in the domain that are within this distance of a piece count as being on it: curves on faces are
+    // no more exact than that.
     [[nodiscard]] double room() const noexcept;
-    // Calls visit(curve, piece) for the pieces, as curves over [0, 1] that are moved to where they are near a curve in the plane
-    // that covers the domain.
+    // Calls visit(curve, piece) for the pieces that come near a curve in the plane that covers the domain,
+    // each as a curve over [0, 1] that is moved by periods to that curve.
     template <class Visit>
     void visit_near(const Spline &curve, Visit &&visit) {
         for (const auto &[piece, turns] : near(curve)) {
             visit(*moved_piece(piece, turns), *piece);
         }
     }
-    // Of a place on a piece, in the loops of the face.
+    // The place in the loops of the face at a place of a piece.
     [[nodiscard]] BorderPlace place_of(const TrimPiece &piece, double at) const;
-    // Whether the loop runs against the piece.
+    // Whether the loop was turned, so that it now runs against the piece.
     [[nodiscard]] bool is_turned(const TrimPiece &piece) const;
-    // The nearest place of those no farther off than curves may leave the domain.
+    // The place on the border near x, if there is one within a few times the distance by which curves may
+    // leave the domain; else empty.
     [[nodiscard]] std::vector<BorderPlace> nearest_to(const Point2 &x) const;
 
 private:

@@ -11,7 +11,7 @@ namespace nrb::face {
 
 namespace {
 
-// A piece of the boundary as a curve of its own, with the ends that it shares with others.
+// A piece of the boundary as a curve, with the ends that it has in common with its neighbours.
 SplinePtr curve_of(const TrimPieces &pieces, const TrimPiece &piece) {
     const std::span<const double> coefficients = pieces.coefficients(piece);
     const size_t count = static_cast<size_t>(piece.degree) + 1, width = piece.weighted ? 3 : 2;
@@ -36,7 +36,7 @@ BoundaryCurve boundary_curve(const Face &face, SplinePtr plane, int32_t loop) {
     return {std::move(plane), std::move(space), loop};
 }
 
-// In the copy of the domain in which it begins.
+// Moved into the copy of the domain in which it begins.
 BoundaryCurve segment(const Face &face, const Point2 &start, const Point2 &end) {
     const Point2 from = face.covering().in_domain(start),
                  to{end[0] + (from[0] - start[0]), end[1] + (from[1] - start[1])};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The curves in space that bound a face.
+// The curves that bound a face, in its domain and in space.
 #pragma once
 
 #include "face/face.h"
@@ -8,18 +8,20 @@
 
 namespace nrb::face {
 
-// In the plane that covers the domain, and in space at equal parameters: exact, or null where the surface cannot be composed with it.
+// A curve in the plane that covers the domain, and its exact image in space at equal parameters: the
+// composition with the surface. `space` is null where the two cannot be composed.
 struct BoundaryCurve {
     SplinePtr plane, space;
-    int32_t loop;        // -1: of none
-    bool at_end = false; // of the domain, where no loop runs
+    int32_t loop;        // -1: none
+    bool at_end = false; // at an end of the domain along which no loop runs
 };
 
-// Of the loops, of segments that close gaps, and of ends of the domain without a curve. Loops that run over seams are in pieces,
-// each in one copy of the domain.
+// The curves of the loops, segments that close gaps, and the parts of the ends of the domain that bound the
+// face without a curve. A loop with a curve that cannot be composed, as where it crosses a seam, is divided
+// into its monotone pieces, each of which lies in one copy of the domain.
 std::vector<BoundaryCurve> boundary_curves(const Face &face);
 
-// Where the domain closes up, though no curve need be there.
+// The seams at which the domain closes up, whether the face has curves there or not.
 std::vector<BoundaryCurve> seam_curves(const Face &face);
 
 } // namespace nrb::face

@@ -14,14 +14,15 @@ namespace {
 constexpr int64_t block = 64;
 constexpr int64_t work_of_a_place = 100; // multiply-adds, about
 
-// Places near the boundary, by the derivatives of the surface at each.
+// Finds places near the boundary, in the metric of the surface at each of them.
 class Nearness {
 public:
     Nearness(const Face &face, double tolerance)
         : face_(face), tolerance_(tolerance), dim_(face.surface()->dim()),
           jets_(static_cast<size_t>(block * 3 * dim_)) {}
 
-    // Whether places count as being on the boundary: sides become 0. Precondition: the places are in the domain.
+    // Sets the sides of places to 0 that count as being on the boundary. Precondition: the places are in the
+    // domain.
     void mark(const std::vector<Point2> &places, const std::vector<int64_t> &numbers, int32_t *sides) {
         const auto count = std::ssize(places);
         const int width = 3 * dim_;
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    // Pieces near the other end of a closed axis are as near.
+    // Also finds pieces that are near across the seam of a closed axis.
     [[nodiscard]] bool near(const Point2 &x, const Metric &metric) const {
         const Point2 reach = metric.reach();
         const Point2 lower{x[0] - reach[0], x[1] - reach[1]}, upper{x[0] + reach[0], x[1] + reach[1]};

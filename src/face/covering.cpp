@@ -14,10 +14,10 @@ namespace nrb::face {
 
 namespace {
 
-// Places along each end at which samples are compared before anything is proven.
+// Along each end of an axis, so many points are compared before anything is proven.
 constexpr int samples = 4;
 
-// Points along both ends of an axis, one end after the other.
+// Points along both ends of an axis: those of the lower end, then those of the upper one.
 std::vector<double> end_points(const Spline &surface, int k) {
     std::vector<double> params;
     for (const bool upper : {false, true}) {
@@ -39,7 +39,8 @@ std::vector<double> end_points(const Spline &surface, int k) {
     return points;
 }
 
-// What the samples do not rule out. Rounding of evaluation is a little of their magnitude.
+// What the samples do not rule out. They allow for the rounding of evaluation, a small multiple of their
+// magnitude.
 struct Suspicion {
     bool closed = true;
     std::array<bool, 2> collapsed{true, true};
@@ -84,7 +85,7 @@ Covering::Covering(const Spline &surface, double tolerance)
                 add_pole(surface, k, end);
             }
         }
-        // Two poles in one place, or an axis of no extent, close nothing.
+        // Two poles in one place, or an axis of no extent, do not make an axis closed.
         closed_[static_cast<size_t>(k)] = possible.closed && !(collapsed(k, 0) && collapsed(k, 1)) &&
                                           analysis::axis_contact(surface, k, tolerance).closed;
     }

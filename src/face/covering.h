@@ -15,12 +15,13 @@ inline Point2 moved(const Point2 &x, const Point2 &by) noexcept {
     return {x[0] + by[0], x[1] + by[1]};
 }
 
-// On a closed axis the two ends of the domain are one curve: curves in the domain may run on over an end into the next copy of
-// the domain, in the plane that is covered by all copies. A collapsed end is a single point of space, the pole of a globe.
+// An axis of a surface is closed if both of its ends are one curve in space. Then curves in the domain may
+// run across an end into the next copy of the domain. All copies together form the plane that covers the
+// domain. An end of an axis that is collapsed to a single point of space is a pole, as those of a globe.
 class Covering {
 public:
-    // Ends that are nowhere farther apart than the tolerance close an axis; those no larger than it are poles.
-    // Precondition: a surface.
+    // An axis is closed if its two ends are nowhere farther apart than the tolerance; an end is a pole if it
+    // is no larger than the tolerance. Precondition: a surface.
     Covering(const Spline &surface, double tolerance);
 
     [[nodiscard]] Interval domain(int k) const noexcept { return domain_[static_cast<size_t>(k)]; }
@@ -33,16 +34,18 @@ public:
         return collapsed_[static_cast<size_t>(k)][static_cast<size_t>(end)];
     }
 
-    // The place in the domain that a place of the plane covers; on axes that are not closed, the nearest one.
+    // The place of the domain that a place of the plane stands for; on axes that are not closed, the nearest
+    // one.
     [[nodiscard]] Point2 in_domain(Point2 x) const noexcept;
-    // The copy of a place on closed axes in [lower, upper) of the domain; as it is if it lies there already.
+    // The copy of a place that is in [lower, upper) of the domain on closed axes. A place that lies there
+    // already stays as it is, bit for bit.
     [[nodiscard]] Point2 canonical(Point2 x) const noexcept;
-    // The same plane covered by copies of a domain that begins at another place on closed axes.
+    // The same plane, covered by copies of a domain that begins at another place on closed axes.
     [[nodiscard]] Covering begun_at(const Point2 &lower) const;
-    // The copy of a place nearest to another one.
+    // The copy of a place that is nearest to another place.
     [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
-    // Calls visit(move) for the moves by periods of closed axes, none of them among these, that bring a box of the plane into
-    // the domain, until it is true: what lies at one end of a closed axis lies at the other one, too.
+    // Calls visit(move) for the moves by -1, 0 or 1 periods of closed axes that bring a box of the plane to
+    // the domain, until it returns true. A box at one end of a closed axis is brought to the other end, too.
     template <class Visit>
     bool any_move(const Point2 &lower, const Point2 &upper, Visit &&visit) const {
         const auto inside = [&](int k, double move) {
@@ -61,8 +64,8 @@ public:
         return false;
     }
     [[nodiscard]] bool has_poles() const noexcept { return !poles_.empty(); }
-    [[nodiscard]] std::vector<std::vector<double>> pole_points() const; // of space [dim]
-    // The pole within a distance of a point of space [dim], as axis and end; axis -1: none.
+    [[nodiscard]] std::vector<std::vector<double>> pole_points() const; // points of space [dim]
+    // A pole within a distance of a point of space [dim]. axis: -1 if there is none.
     struct Pole {
         int axis = -1;
         int end = 0;
@@ -83,7 +86,7 @@ private:
     std::vector<PolePoint> poles_;
 };
 
-// Precondition: x in the domain.
+// Precondition: x is in the domain.
 std::vector<double> point_at(const Spline &surface, const Point2 &x);
 // The distance in space of two places of the plane.
 double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b);

@@ -20,16 +20,16 @@ namespace nrb::face {
 
 namespace {
 
-// Pieces of both curves that the search for the largest distance may look at.
+// The most pieces of both curves that the search for the largest distance examines.
 constexpr int64_t most_pieces = 2000000;
-// The same where it only has to be shown that there is one.
+// The same where only a distance above the tolerance, or none, has to be proven.
 constexpr int64_t most_compared = 20000;
 
 MadeCurve over(const Face &face, const Coedge &coedge) {
     return edge_over(face.surface(), face.covering(), coedge.curve, face.tolerance());
 }
 
-// The two as curves of equal parameters, if their domains can be made the same.
+// A bound on the distance at equal parameters; none if the domains cannot be made the same.
 std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePtr &edge, bool against,
                                           double tolerance) {
     try {
@@ -41,7 +41,8 @@ std::optional<double> at_equal_parameters(const SplinePtr &image, const SplinePt
     }
 }
 
-// Where parameters of nearest points belong together, those on the one or on the other.
+// A bound on the distance of points that belong together by nearest points: those on b of points of a, or the
+// other way round.
 double along_feet(const SplinePtr &a, const SplinePtr &b, bool against, double tolerance) {
     const SplinePtr along = against ? refine::reverse(*b, 0, false) : b;
     const double there = distance_along_feet(a, along, tolerance);
@@ -60,13 +61,14 @@ Ends ends_of(const Spline &curve) {
     return ends;
 }
 
-// The larger distance of two ends, of curves that run alike or against each other.
+// The larger of the two distances between ends, for curves that run alike or against each other.
 double distance_of_ends(const Ends &x, const Ends &y, bool against) noexcept {
     const size_t first = against ? 1 : 0;
     return std::max(length(x[0] - y[first]), length(x[1] - y[1 - first]));
 }
 
-// Of those that are nearer; 0 for curves that are closed, to whose ends nothing is tied.
+// The same in the direction in which it is smaller; 0 if both curves are closed, as their ends may be
+// anywhere.
 double distance_of_ends(const Spline &a, const Spline &b, double tolerance) {
     const Ends x = ends_of(a), y = ends_of(b);
     if (length(x[0] - x[1]) <= tolerance && length(y[0] - y[1]) <= tolerance) {
@@ -75,7 +77,8 @@ double distance_of_ends(const Spline &a, const Spline &b, double tolerance) {
     return std::min(distance_of_ends(x, y, false), distance_of_ends(x, y, true));
 }
 
-// How far a place of a curve is from another one, if any of some is farther than the tolerance.
+// The distance of one of a few sample points of a curve from another curve, if it is above the tolerance;
+// else 0.
 double far_place(const Spline &from, const Spline &to, double tolerance) {
     for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) {
         double x[space_dim];
@@ -115,7 +118,7 @@ std::vector<SplinePtr> make_edges(const Face &face) {
     return edges;
 }
 
-// Among all of the face; none: it is a copy.
+// The number of the coedge among all of the face; none if it is a copy.
 std::optional<size_t> number_of(const Face &face, const Coedge &coedge) {
     size_t number = 0;
     for (const Loop &loop : face.loops()) {
@@ -130,7 +133,7 @@ std::optional<size_t> number_of(const Face &face, const Coedge &coedge) {
 
 } // namespace
 
-// Composing takes longer than most of what edges are for.
+// Kept, because composing takes longer than most of what edges are used for.
 SplinePtr edge_of(const Face &face, const Coedge &coedge) {
     if (coedge.edge != nullptr) {
         return coedge.edge;
@@ -160,7 +163,7 @@ Deviation deviation_of(const Face &face, const Coedge &coedge) {
     return to_nearest(image, *coedge.edge, face.tolerance());
 }
 
-// What is cheap comes first: many that lie apart may have one key.
+// Cheap tests come first, because many curves that are far apart may have the same key.
 double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance) {
     if (const double ends = distance_of_ends(*a, *b, tolerance); ends > tolerance) {
         return ends;
@@ -184,7 +187,8 @@ double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance)
 
 namespace {
 
-// Whether places of a follow one another on b from its end to its start; what is near both ends of closed curves decides nothing.
+// Whether the feet on b of two points of a descend. Points in the middle of a are taken, because points near
+// both ends of closed curves would decide nothing.
 bool feet_fall(const Spline &a, const Spline &b, double tolerance) {
     double at[2];
     for (const size_t k : {size_t{0}, size_t{1}}) {
@@ -197,7 +201,8 @@ bool feet_fall(const Spline &a, const Spline &b, double tolerance) {
     return at[0] > at[1];
 }
 
-// Within the tolerance for certain: once more closely, where the first search leaves that open.
+// The Hausdorff distance, if it is proven to be within the tolerance. Where the first search leaves that
+// open, a second one is closer.
 std::optional<double> two_sided(const Spline &a, const Spline &b, double tolerance) {
     for (const double share : {0x1p-4, 0x1p-10}) {
         const auto there = closest::one_sided_distance(a, b, share * tolerance, most_compared),
@@ -214,7 +219,7 @@ std::optional<double> two_sided(const Spline &a, const Spline &b, double toleran
 
 } // namespace
 
-// What is cheap comes first, as above.
+// Cheap tests come first, as above.
 std::optional<CurveMatch> match_within(const SplinePtr &a, const SplinePtr &b, double tolerance) {
     const Ends x = ends_of(*a), y = ends_of(*b);
     std::vector<bool> directions;

@@ -8,26 +8,30 @@
 
 namespace nrb::face {
 
-// The edge of a coedge of the face as it runs, made from the curve in the domain where none was given, and kept.
+// The edge of a coedge of the face, in the direction that the edge has. Where no edge was given, it is made
+// from the curve in the domain, and kept with the face.
 SplinePtr edge_of(const Face &face, const Coedge &coedge);
 
-// Of a made one as it was found when it was made. Of two that were given: at equal parameters if that is within the tolerance of
-// the face, or at those of nearest points, else from each to the nearest point of the other.
+// The distance between the curve of a coedge, as the surface maps it, and its edge. If one was made from the
+// other, as it was found then. If both were given: at equal parameters or at those of nearest points, if that
+// is within the tolerance of the face; else the Hausdorff distance.
 Deviation deviation_of(const Face &face, const Coedge &coedge);
 
-// How far two curves in space, or their ends, are from each other somewhere, where that is more than the tolerance, else 0. They may
-// run in different directions and at different speeds, and closed ones may begin elsewhere. Precondition: dimension 3, tolerance > 0.
+// A distance above the tolerance that two curves in space have at some place, or between their ends; 0 if
+// none is found. The curves may run in different directions and at different speeds, and closed ones may
+// begin at different places. Precondition: dimension 3, tolerance > 0.
 double distance_beyond(const SplinePtr &a, const SplinePtr &b, double tolerance);
 
-// Of two curves in space, each of which is within `distance` of the other one, and so are their ends.
+// Two curves in space match: no point of either is farther than `distance` from the other one. Their ends,
+// paired by `against`, match within the tolerance.
 struct CurveMatch {
     double distance;
     bool against; // whether they run in opposite directions
 };
 
-// Of curves for which a distance of at most the tolerance can be proven: at equal parameters, as far as their domains can be made the
-// same, else at those of nearest points, else from each to the nearest point of the other one. Closed ones begin at the same place. Precondition: dimension 3,
-// tolerance > 0.
+// Matches two curves if a distance of at most the tolerance can be proven: at equal parameters, if their
+// domains can be made the same; else at the parameters of nearest points; else the Hausdorff distance. Closed
+// curves have to begin at the same place. Precondition: dimension 3, tolerance > 0.
 std::optional<CurveMatch> match_within(const SplinePtr &a, const SplinePtr &b, double tolerance);
 
 } // namespace nrb::face

@@ -17,7 +17,7 @@ namespace nrb::face {
 
 namespace {
 
-// Curves that run over more copies of the domain than this, all together, are a mistake.
+// Curves that run through more copies of the domain than this, all together, are taken for a mistake.
 constexpr double most_copies = 65536;
 
 void check_curve(const Spline &curve, size_t loop, size_t index) {
@@ -28,8 +28,9 @@ void check_curve(const Spline &curve, size_t loop, size_t index) {
     }
 }
 
-// How far curves may leave the domain along an axis: by as much as moves points by the tolerance, if they move evenly over the
-// size of the surface; along a closed one over copies of the domain, of which there may be so many.
+// How far curves may leave the domain. Along an axis that is not closed: by so much of the period as the
+// tolerance is of the size of the surface, which moves points by the tolerance if they move evenly. Along a
+// closed axis: into other copies of the domain, up to most_copies for all curves together.
 class Borders {
 public:
     Borders(const Covering &covering, double tolerance) : covering_(covering), tolerance_(tolerance) {}
@@ -55,7 +56,7 @@ public:
     }
 
 private:
-    // Each span of a curve may pass all of the copies.
+    // Each span of a curve may run through all of the copies.
     bool in_few_copies(int64_t spans, double copies) noexcept {
         copies_ += copies > 1 ? static_cast<double>(spans) * copies : 0;
         return copies_ <= most_copies;
@@ -84,7 +85,7 @@ private:
     double copies_ = 0;
 };
 
-// Errors say which edge they are about.
+// Errors name the edge.
 MadeCurve named_curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
                             size_t loop, size_t index, const UnderRule &rule, Effort &effort) {
     try {
@@ -118,7 +119,8 @@ void make_curves(FaceParts &parts, const Covering &covering) {
     }
 }
 
-// What is told of the progress of a call leaves room for the check, which may take longest.
+// While this exists, the progress that is reported leaves room for the check of crossings, which may take
+// most of the time.
 class BeforeCheck {
 public:
     explicit BeforeCheck(const FaceParts &parts) noexcept {
@@ -187,7 +189,7 @@ std::unique_ptr<const TrimMap> Face::map(const TrimPieces &plane, bool turn, boo
     return std::make_unique<const TrimMap>(fold(plane, covering_), covering_, shapes, turn, astray);
 }
 
-// Where there is no inside at all, that may be because loops cross.
+// If the loops have no common inside, the reason may be that they cross, which is the better message.
 std::unique_ptr<const TrimMap> Face::uncrossed_map(const TrimPieces &plane, std::span<const ClosedLoop> loops,
                                                    bool turn) const {
     const Crossings crossings(*surface_, covering_, loops, tolerance_);
@@ -205,7 +207,7 @@ std::unique_ptr<const TrimMap> Face::uncrossed_map(const TrimPieces &plane, std:
     return trims;
 }
 
-// Gaps are told of all loops, whichever is the first to be too large.
+// The gaps of all loops are reported, even if the first one is too large.
 TrimPieces Face::pieces(std::vector<ClosedLoop> &closed, std::vector<double> *gaps, bool keep) {
     TrimPieces plane;
     Borders borders(covering_, tolerance_);

@@ -19,7 +19,7 @@ namespace {
 constexpr int most_halved_cells = 20000;
 constexpr int64_t work_of_a_cell = 4000;
 
-// Sides of a box as the largest values of the coordinates and of their negatives.
+// The sides of a box: the largest values of the coordinates and of their negatives.
 using Sides = std::vector<double>;
 
 Sides sides_of(const bounds::Box &box) {
@@ -31,16 +31,16 @@ Sides sides_of(const bounds::Box &box) {
     return sides;
 }
 
-// Spans of both axes, or a part of one span of each.
+// A cell: several spans of both axes, or a part of one span of each.
 struct FaceCell {
     std::array<std::array<size_t, 2>, 2> breaks; // first and last, of each axis
     Part part{};
     Sides sides;
     bool alive = true;
-    bool examined = false; // whether sides on which nothing inside is extreme were taken out
+    bool examined = false; // whether sides were dropped on which nothing inside is extreme
 };
 
-// The breaks of an axis, and at which of them tangents, or points, may jump.
+// The breaks of an axis; for each, whether tangents (crease) or points (jump) may jump there.
 struct CellAxis {
     std::vector<double> breaks;
     std::vector<char> crease, jump;
@@ -64,7 +64,8 @@ struct CellAxis {
     [[nodiscard]] bool touches_jump(Interval part) const {
         return jumps_at(part.lower) || jumps_at(part.upper);
     }
-    // The span on the other side of a crease at a parameter, above or below it; across a seam at the other end of the axis.
+    // The span on the other side of a crease at a parameter, above or below it; at a seam, the span at the
+    // other end of the axis.
     [[nodiscard]] std::optional<Interval> span_beyond_crease(double at, bool above) const {
         const size_t i =
             static_cast<size_t>(std::lower_bound(breaks.begin(), breaks.end(), at) - breaks.begin());
@@ -79,6 +80,7 @@ struct CellAxis {
 
 using SideQueue = std::priority_queue<std::pair<double, size_t>>;
 
+// Branch and bound: a queue of cells for each side of the box, the one that reaches farthest first.
 class BoxSearch {
 public:
     BoxSearch(const Face &face, double tolerance)
@@ -111,7 +113,7 @@ private:
             reach_boundary();
         }
     }
-    // Null: curves that cannot be composed are bounded by the cells that they cut.
+    // Curves that cannot be composed are null; there the boundary is bounded by the cells that it cuts.
     void add_edge(const SplinePtr &edge) {
         if (edge == nullptr) {
             boundary_proven_ = false;
@@ -124,7 +126,7 @@ private:
             reach(side, sides[side] - box.gap);
         }
     }
-    // Ends and middles of all pieces.
+    // The starts, which are the ends of other pieces, and the middles of all pieces.
     void reach_boundary() {
         const TrimPieces &pieces = face_.trims().pieces();
         for (const TrimPiece &piece : pieces.all()) {
@@ -140,7 +142,8 @@ private:
         }
     }
 
-    // The cell between breaks, unless the face does not meet it or it reaches no farther than others.
+    // Adds the cell between breaks, unless it is outside of the face, or reaches no farther than points of
+    // the face.
     void add(const std::array<std::array<size_t, 2>, 2> &breaks) {
         FaceCell cell{breaks, {}, {}};
         for (size_t k = 0; k < 2; ++k) {
@@ -179,7 +182,8 @@ private:
         }
     }
 
-    // How far the cells that are left reach on a side, where that is more than points of the face do.
+    // How far the box has to reach on a side: as far as points of the face, the boundary and the remaining
+    // cells.
     double outermost(size_t side) {
         SideQueue &queue = farthest_[side];
         while (!queue.empty() && !cells_[queue.top().second].alive) {
@@ -188,7 +192,8 @@ private:
         const double known = std::max(reached_[side], boundary_[side]);
         return queue.empty() ? known : std::max(known, queue.top().first);
     }
-    // The cell that reaches farthest on the side where the box is farthest from the face, unless that is near enough.
+    // The cell that reaches farthest on the side where the box is farthest from the face; none if that is
+    // near enough.
     std::optional<size_t> farthest_cell() {
         std::optional<size_t> farthest;
         double largest = tolerance_;
@@ -203,7 +208,7 @@ private:
         return farthest;
     }
 
-    // False if a cell cannot be made smaller.
+    // Divides a cell; false if it cannot be made smaller.
     bool refine(size_t index) {
         FaceCell cell = cells_[index];
         cells_[index].alive = false;
@@ -225,10 +230,11 @@ private:
         add(second);
         return true;
     }
-    // A point inside the face at which a coordinate is extreme has no derivative of it along either axis, unless tangents jump
-    // there; extreme points on the boundary are known. Across a crease a coordinate runs on where its derivatives have one sign.
-    // Along a jump, points of either side end, so that cells beside one keep all sides; and where the reach of the boundary is not
-    // proven, cells that it cuts do.
+    // Drops the sides of a cell on which nothing inside is extreme. At a point inside the face where a
+    // coordinate is extreme, both of its partial derivatives vanish, unless tangents jump there; extreme
+    // points on the boundary are known. Across a crease, a coordinate is monotone if its derivatives on both
+    // sides have the same sign. Cells beside a jump keep all sides, because points of both limits end there;
+    // and so do cells that the boundary cuts if its reach is not proven.
     void examine(FaceCell &cell) const {
         cell.examined = true;
         if (axes_[0].touches_jump(cell.part[0]) || axes_[1].touches_jump(cell.part[1]) ||
@@ -260,7 +266,9 @@ private:
     [[nodiscard]] static int sign_of(const RoundedPolynomial &derivative, size_t c) {
         return certain_sign(component(derivative, static_cast<int>(c)));
     }
-    // As wide as the part, or as the span there; at least from one double to the next, which may be farther apart than on this side.
+    // Parts of the surface beyond the creases at the ends of a cell. They are as wide as the cell or as the
+    // span beyond, whichever is less, but at least one step between neighbouring doubles, which may be larger
+    // there than inside the cell.
     [[nodiscard]] std::vector<Part> strips_beyond_creases(const Part &part, size_t k) const {
         std::vector<Part> result;
         for (const bool upper : {false, true}) {
@@ -311,9 +319,9 @@ private:
     double tolerance_;
     std::array<CellAxis, 2> axes_;
     Sides reached_, boundary_;
-    bool boundary_proven_ = true; // whether boundary_ holds for all of it
+    bool boundary_proven_ = true; // whether boundary_ holds for all of the boundary
     std::vector<FaceCell> cells_;
-    std::vector<SideQueue> farthest_; // of each side, cells that are not alive among them
+    std::vector<SideQueue> farthest_; // for each side; may contain cells that are not alive
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes that contain a face.
+// Bounding boxes of faces.
 #pragma once
 
 #include "bounds/box.h"
@@ -9,11 +9,13 @@
 
 namespace nrb::face {
 
-// Of the edges, and of the cells of the domain in which a coordinate may be extreme inside the face: those that reach farthest are
-// halved until no side is farther from a point of the face than the tolerance, or 20000 were. The gap is proven.
+// A box of the face, by branch and bound. The candidates for its extreme points are the curves of the
+// boundary, and the cells of the domain in which a coordinate may be extreme inside the face. The cells that
+// reach farthest are divided until no side of the box is farther from a point of the face than the tolerance,
+// or 20000 cells were examined. The gap of the box is proven.
 bounds::Box bounding_box(const Face &face, double tolerance);
 
-// The smallest rectangle of the domain that holds the face; on axes that close all of the domain.
+// The smallest rectangle of the domain that contains the face; on closed axes, the whole domain.
 std::array<Interval, 2> smallest_rectangle(const Face &face);
 
 } // namespace nrb::face

@@ -7,7 +7,8 @@
 
 namespace nrb::face {
 
-// Of boxes that come near a curve of the boundary by rounding it is not known. The face has to stay.
+// The filter for a RayCaster on the surface of the face. It leaves open (0) boxes that a curve of the
+// boundary enters or, by rounding, may enter. The face must outlive it.
 intersect::PlaceFilter trim_filter(const Face &face);
 
 } // namespace nrb::face

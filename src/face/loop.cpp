@@ -24,8 +24,8 @@ Point2 end_of(const Spline &curve, bool upper) {
     return x;
 }
 
-// Where a loop that came to a pole at `from` leaves it. Along the upper end of axis 1 the inside is to the left of those who run
-// down axis 0, and so on around the domain.
+// Where a loop that arrives at a pole at `from` leaves it. Along the upper end of axis 1 the inside is to the
+// left of a curve that runs towards lower values of axis 0, and so on around the domain.
 Point2 around_pole(const Covering &covering, Covering::Pole pole, const Point2 &from, Point2 next) {
     const int along = 1 - pole.axis;
     if (!covering.closed(along)) {
@@ -35,7 +35,7 @@ Point2 around_pole(const Covering &covering, Covering::Pole pole, const Point2 &
     const bool down = (pole.axis == 1) == (pole.end == 1);
     const double period = covering.period(along);
     const double ahead = down ? from[at] - next[at] : next[at] - from[at];
-    const double turns = std::ceil(ahead / period) - 1; // what is left is in (0, period]
+    const double turns = std::ceil(ahead / period) - 1; // the remaining way is in (0, period]
     next[at] += (down ? turns : -turns) * period;
     return next;
 }
@@ -51,8 +51,8 @@ SplinePtr segment(const Point2 &a, const Point2 &b) {
     return build::polyline(2, {a[0], a[1], b[0], b[1]}, {0, 1});
 }
 
-// Where curves of a loop begin and end, and the poles at which they do; both ends of a curve that lies in a pole are at none, since
-// it leads along the pole itself.
+// Where a curve of a loop begins and ends, and the poles at which it does. A curve that lies in a pole has
+// none at its ends, because it leads along the pole itself.
 struct CurveEnds {
     Point2 start, end;
     Covering::Pole first, last;
@@ -72,7 +72,8 @@ CurveEnds ends_of(const Spline &surface, const Covering &covering, const Spline 
     return ends;
 }
 
-// Where a curve begins behind one that ended at `last`: in the nearest copy, or around the pole at which both do.
+// Where the curve after one that ended at `last` begins: in the nearest copy, or if both ends are at the same
+// pole, after going around it.
 Point2 next_begin(const Covering &covering, const Point2 &last, Covering::Pole before, const Point2 &start,
                   Covering::Pole behind) {
     const Point2 begin = covering.nearest_copy(start, last);
@@ -151,7 +152,7 @@ Loop turned(const Loop &loop) {
         made.curve = refine::reverse(*coedge->curve, 0, false);
         if (made.key != 0) {
             made.against = !made.against;
-        } else if (made.edge != nullptr) { // nothing else could tell that it runs against the loop
+        } else if (made.edge != nullptr) { // nothing else would say that it runs against the loop
             made.edge = refine::reverse(*made.edge, 0, false);
         }
     }

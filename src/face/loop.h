@@ -11,46 +11,47 @@
 
 namespace nrb::face {
 
-// How far apart a curve in space and what the surface makes of one in its domain are, at most if `proven`.
+// The distance between a curve in space and the image of a curve in the domain; a bound if `proven`.
 struct Deviation {
     double distance = 0;
     bool proven = false;
 };
 
-// A curve of a loop: in the domain of the surface, and in space. One of the two may be null.
+// A curve of a loop: in the domain of the surface, and as an edge in space. One of the two may be null.
 struct Coedge {
     SplinePtr curve;
     SplinePtr edge;
-    int64_t key = 0;                      // by which faces know their common edges; 0: none
+    int64_t key = 0;                      // identifies edges that faces share; 0: none
     bool against = false;                 // whether the edge runs against the curve
-    std::optional<Deviation> deviation{}; // of a curve that was made from the edge
+    std::optional<Deviation> deviation{}; // if the curve was made from the edge
 };
 using Loop = std::vector<Coedge>;
 
 struct PlacedLoop {
     std::vector<PlacedCurve> curves;
-    Point2 turn{0, 0}; // by which it comes back to its start: periods of closed axes
+    Point2 turn{0, 0}; // by which its end is moved from its start: periods of closed axes
 };
 
-// With the segments that close gaps which are larger than the tolerance.
+// With the segments that close gaps larger than the tolerance.
 struct ClosedLoop {
     PlacedLoop placed;
     std::vector<Joint> segments;
 };
 
-// The curves of a loop one after the other in the plane that covers the domain, each in the copy in which it begins nearest to
-// where the one before it ends. At a pole the way leads around it, the inside to the left; where a loop comes back on the
-// meridian that it came on, once around.
+// Places the curves of a loop one after the other in the plane that covers the domain: each in the copy in
+// which its start is nearest to the end of the curve before it. Where the loop goes through a pole, it goes
+// around the pole with the inside to the left; if it leaves the pole on the meridian on which it arrived,
+// once around.
 PlacedLoop placed(const Spline &surface, const Covering &covering, const Loop &loop, double tolerance);
 
-// The largest distance in space of ends that follow one another, rounded up.
+// The largest distance in space between the end of a curve and the start of the next one, rounded up.
 double largest_gap(const Spline &surface, const Covering &covering, const Loop &loop);
 
-// The boundary of the whole domain: one loop, or two around a closed axis, or none where everything is closed. Poles have no
-// curves.
+// The boundary of the whole domain: one loop, or two around a closed axis, or none where everything is
+// closed. Poles have no curves.
 std::vector<Loop> natural_loops(const Covering &covering);
 
-// The loop backwards.
+// The loop in the opposite direction.
 Loop turned(const Loop &loop);
 
 } // namespace nrb::face

@@ -8,7 +8,8 @@
 
 namespace nrb::face {
 
-// The parameters, in the domain, of the point of a surface that is nearest to a point in space; empty if that has to be searched for.
+// Inverts the parametrization of a surface: gives the parameters, in the domain, of its point nearest to a
+// point in space. Empty if nearest points have to be searched for.
 using NearestPlace = std::function<Point2(const double *point)>;
 
 } // namespace nrb::face

@@ -7,7 +7,8 @@ namespace nrb::face {
 
 namespace {
 
-// Along one end of axis k: where pieces come to it or pass it, and the ends of the other axis.
+// Places along one end of axis k: where pieces touch or cross it, and the ends of the other axis. Between two
+// neighbours the end is all inside or all outside.
 std::vector<double> contacts(const Face &face, int k, double end) {
     const auto across = static_cast<size_t>(k), along = 1 - across;
     const TrimPieces &pieces = face.trims().pieces();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a face reaches the ends of the domain though no curve bounds it there.
+// The ends of the domain that bound a face without a curve.
 #pragma once
 
 #include "face/face.h"
@@ -10,8 +10,8 @@ struct EndPart {
     Point2 from, to;
 };
 
-// Parts of the ends of axes that are not closed: outside of a hole without an outer loop, and around poles.
-// Cost: linear in the number of pieces.
+// The parts of the ends of axes that are not closed which a face reaches although no curve runs there:
+// outside of holes if there is no outer loop, and around poles. Cost: linear in the number of pieces.
 std::vector<EndPart> open_ends(const Face &face);
 
 } // namespace nrb::face

@@ -11,11 +11,11 @@ namespace {
 
 struct Place {
     Point2 at;
-    double height; // of what is inside of the face in its column
+    double height; // of the part of its column that is inside
     double room = 0;
 };
 
-// At a share of the highest part of a column inside of a face.
+// The place at a share of the longest part of a column that is inside of a face.
 std::optional<Place> place_in_column(const Face &face, double u, double share) {
     std::optional<Place> best;
     for (const TrimMap::ColumnPart &part : face.trims().parts_of_column(u)) {
@@ -30,7 +30,7 @@ std::optional<Place> place_in_column(const Face &face, double u, double share) {
 } // namespace
 
 std::vector<Point2> places_inside(const Face &face) {
-    constexpr int inner = 8; // columns between two ends of pieces, at the widest of these
+    constexpr int inner = 8; // how many of the widest intervals without ends of pieces are used
     std::vector<double> ends{face.covering().domain(0).lower, face.covering().domain(0).upper};
     for (const TrimPiece &piece : face.trims().pieces().all()) {
         ends.insert(ends.end(), {piece.lower[0], piece.upper[0]});
@@ -44,7 +44,7 @@ std::vector<Point2> places_inside(const Face &face) {
                       [](const Interval &gap) { return gap.upper - gap.lower; });
     std::vector<Place> places;
     for (size_t i = 0; i < std::min<size_t>(gaps.size(), inner); ++i) {
-        for (const double share : {0.5, 0.381966}) { // the surface may touch the face in the middle
+        for (const double share : {0.5, 0.381966}) { // in the middle, a surface may touch the face
             const double u = gaps[i].lower + share * (gaps[i].upper - gaps[i].lower);
             if (auto place = place_in_column(face, u, share)) {
                 place->room = std::min(place->height / face.covering().period(1),

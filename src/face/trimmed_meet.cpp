@@ -26,9 +26,10 @@ using intersect::MeetBranch;
 using intersect::MeetNode;
 using intersect::NodeKind;
 
+// Trims the branches of a meet one after the other, and collects what is kept.
 class Trimming {
 public:
-    // apart: what runs along the border is in branches of its own.
+    // apart: whether what runs along the border gets branches of its own.
     Trimming(const Face &face, const Meet &meet, size_t surface, bool apart, const PartsOfBranches &left_out)
         : face_(face), meet_(meet), surface_(surface), border_(face), apart_(apart), left_out_(left_out) {
         result_.of_two = meet.of_two;
@@ -53,7 +54,7 @@ public:
     }
 
 private:
-    // What is beyond the domain, where meets of a continued surface may be, is outside.
+    // Places beyond the domain, where meets of a continued surface may be, are outside.
     [[nodiscard]] bool is_inside(const Point2 &at) const {
         return !is_beyond({Interval{at[0], at[0]}, Interval{at[1], at[1]}}) &&
                face_.trims().side(face_.covering().in_domain(at)) >= 0;
@@ -76,7 +77,7 @@ private:
         return is_beyond(range) ||
                face::is_outside(face_, {range[0].lower, range[1].lower}, {range[0].upper, range[1].upper});
     }
-    // On the surface of the face.
+    // The curve on the surface of the face.
     [[nodiscard]] const SplinePtr &curve_of(const MeetBranch &branch) const noexcept {
         return surface_ == 0 ? branch.on : branch.on_second;
     }
@@ -91,7 +92,8 @@ private:
         return {at[0], at[1]};
     }
 
-    // Those of branches come with them. What a face leaves of a region is not told.
+    // Nodes at which branches end are kept with these. What the face contains of a region of overlap is not
+    // computed: such a region becomes undecided.
     void keep_nodes() {
         new_node_.assign(meet_.nodes.size(), -1);
         for (size_t i = 0; i < meet_.nodes.size(); ++i) {
@@ -129,7 +131,7 @@ private:
         place = at;
         range = {Interval{at[0], at[0]}, Interval{at[1], at[1]}};
     }
-    // In the domain.
+    // The place in the domain.
     [[nodiscard]] Point2 place_at(const MeetBranch &branch, double t, size_t surface) const {
         const Point2 at = place_on(surface == 0 ? *branch.on : *branch.on_second, t);
         return surface == surface_ ? face_.covering().in_domain(at) : in_domain(at, meet_.periodic[surface]);
@@ -145,7 +147,8 @@ private:
         return at;
     }
 
-    // Parameters at which a branch may come in or go out, and where it runs along the border.
+    // at: parameters, with places on the border, at which a branch may enter or leave the face, and ends of
+    // the parts that are left out. along: where the branch runs along the border.
     struct Crossing {
         double at;
         BorderPlace place;
@@ -155,7 +158,7 @@ private:
         Course course;
     };
     struct Crossings {
-        std::vector<Crossing> at; // rising
+        std::vector<Crossing> at; // ascending
         std::vector<Passage> along;
     };
     Crossings crossings(const MeetBranch &branch) {
@@ -192,12 +195,12 @@ private:
         return left_out_.empty() ? std::span<const Interval>() : left_out_[number];
     }
 
-    // Kept of a branch.
+    // A part of a branch that is kept.
     struct KeptPart {
         Interval range;
         Course course;
     };
-    // The parts that are inside or on the border; those that follow each other are one.
+    // Keeps the parts that are inside or on the border; those that continue each other become one.
     void add(const MeetBranch &branch) {
         const Interval domain = branch.on->axis(0).domain();
         const Crossings found = crossings(branch);
@@ -254,7 +257,7 @@ private:
         }
     }
 
-    // The first and the last part of a branch that closed.
+    // Connects the first and the last part of a closed branch where it was cut at its start.
     void join_where_cut(size_t first) {
         const int64_t begin = result_.branches[first].nodes[0], end = result_.branches.back().nodes[1];
         MeetNode &a = result_.nodes[static_cast<size_t>(begin)], &b = result_.nodes[static_cast<size_t>(end)];
@@ -294,7 +297,7 @@ private:
         places_.push_back(std::move(places));
     }
 
-    // All that are as near as crossings can be told apart.
+    // The places on the border of all crossings that are too near to be told apart.
     std::vector<BorderPlace> places_at(int64_t node, const MeetBranch &branch, double t,
                                        const Crossings &found) const {
         if (!apart_) {
@@ -320,7 +323,7 @@ private:
         return places;
     }
 
-    // Nodes of the meet that go on in each other, where both are kept.
+    // Connects nodes that are connected in the given meet, if both are kept.
     void join_nodes() {
         for (size_t i = 0; i < new_node_.size(); ++i) {
             if (new_node_[i] >= 0) {
@@ -345,7 +348,7 @@ private:
 
     const Face &face_;
     const Meet &meet_;
-    size_t surface_; // that of the face, of two
+    size_t surface_; // the one of the face
     BorderPieces border_;
     bool apart_;
     const PartsOfBranches &left_out_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of the curves on a surface lies in a face.
+// Trims curves on a surface to the part that lies in a face.
 #pragma once
 
 #include "face/border_pieces.h"
@@ -12,17 +12,20 @@
 
 namespace nrb::face {
 
-// The parts of the branches of a meet of the face's surface that are inside of its loops, by where their curves in the parameter
-// domain cross those of the loops (curve_curve()); they end in nodes on the border. A closed branch that is cut is cut where it
-// begins as well, in a node of the kind seam. Touches whose middle is outside are left out, and parts of undecided nodes that are
-// outside all over; where crossings are undecided, and for what is undecided before, there are undecided nodes. `surface`: which one
-// of two the face is of, 0 or 1. `left_out`: of each branch, or of none, what is not kept though it is inside; what ends there does so in
-// a node of the kind edge. Precondition: both are of one surface, which may be continued beyond the domain of the face.
+// The parts of the branches of a meet that are inside of the loops of a face. They are cut where their curves
+// in the domain cross those of the loops (curve_curve()), and end in border nodes there. A closed branch that
+// is cut is also cut at its start, in nodes of kind seam. Touches whose middle is outside are dropped, and
+// undecided nodes whose box is entirely outside. An undecided crossing leaves an undecided node, and so does
+// a region of overlap that is not entirely outside.
+// surface: whether the face is on the first (0) or the second surface (1) of the meet. left_out: for each
+// branch, or empty for all, the parts that are dropped although they are inside; branches end there in nodes
+// of kind edge. Precondition: the meet is on the surface of the face, which may be continued beyond the
+// domain of the face.
 using PartsOfBranches = std::vector<std::vector<Interval>>;
 intersect::Meet trimmed(const Face &face, const intersect::Meet &meet, size_t surface = 0,
                         const PartsOfBranches &left_out = {});
 
-// How a branch runs: inside of the face, or along a curve of a loop, as that does or against it.
+// How a branch runs: inside of the face, or along a curve of a loop, in its direction or against it.
 enum class Direction : int8_t { inside, with_loop, against_loop };
 struct Course {
     Direction direction = Direction::inside;
@@ -32,12 +35,13 @@ struct Course {
 
 struct BorderedMeet {
     intersect::Meet meet;
-    // Of branches: where they begin and end on the border, the nearest place first.
+    // For each branch, where its two ends are on the border, the nearest place first.
     std::vector<std::array<std::vector<BorderPlace>, 2>> places;
-    std::vector<Course> courses; // of branches
+    std::vector<Course> courses; // for each branch
 };
 
-// The same, with what runs along the border in branches of its own, and where branches end on it.
+// The same; what runs along the border is in branches of its own, and for the ends of branches it is reported
+// where they are on the border.
 BorderedMeet trimmed_with_places(const Face &face, const intersect::Meet &meet);
 
 } // namespace nrb::face

@@ -13,11 +13,12 @@ namespace nrb::face {
 
 namespace {
 
-// Where a part of a piece is looked at: if what is astray beside it is thick at all, it is at some of them.
+// Where a part of a piece is sampled. If an area beside it with a wrong value has any thickness, some samples
+// show it.
 constexpr std::array shares{0.5, 0.236, 0.764, 0.0625, 0.9375, 0.382, 0.618};
-constexpr size_t few = 3; // of a piece that is not cut
+constexpr size_t few = 3; // samples of a piece that is not cut
 
-// Derivatives of the surface by both parameters, in units of its extent and of the periods.
+// The derivatives of the surface by both parameters, in units of its extent and of the periods.
 std::array<std::vector<double>, 2> slopes(const Spline &surface, const Covering &covering, const Point2 &x) {
     const int dim = surface.dim();
     std::vector<double> jet(3 * static_cast<size_t>(dim));
@@ -51,7 +52,7 @@ size_t BesideLoops::longer_side(const TrimPiece &piece) const noexcept {
     return length(1) > length(0) ? 1 : 0;
 }
 
-// Of all pieces in whose boxes it lies, in all copies.
+// On all pieces whose boxes contain the place, in all copies.
 void BesideLoops::cut(const Point2 &x) {
     if (!std::isfinite(x[0]) || !std::isfinite(x[1])) {
         return;
@@ -76,7 +77,7 @@ void BesideLoops::cut(const Point2 &x) {
 
 std::optional<BesideLoops::Astray> BesideLoops::astray() {
     if (!(covering_.extent() > 0)) {
-        return std::nullopt; // one point
+        return std::nullopt; // the surface is a single point
     }
     std::ranges::sort(cuts_);
     const auto &all = trims_.pieces().all();
@@ -92,7 +93,7 @@ std::optional<BesideLoops::Astray> BesideLoops::astray() {
     return std::nullopt;
 }
 
-// Of the pieces of a loop; if there are cuts, from one of them on.
+// The parts between cuts of the pieces of a loop, beginning at a cut if there is one.
 std::vector<BesideLoops::Part> BesideLoops::parts_of(size_t first, size_t last) const {
     std::vector<Part> parts;
     bool cut = false;
@@ -139,7 +140,7 @@ std::optional<Point2> BesideLoops::astray_of(std::span<const Part> parts, Steps 
     return std::nullopt;
 }
 
-// What is beside a loop that meets nothing is the same along all of it.
+// The values beside a loop that meets nothing are the same along all of it.
 std::optional<Point2> BesideLoops::astray_of_uncut(std::span<const Part> parts) const {
     for (const double share : shares) {
         const Sample own =
@@ -163,8 +164,8 @@ BesideLoops::Sample BesideLoops::sample(size_t number, double share) const noexc
     return {jet.point, still ? chord : jet.derivative};
 }
 
-// What is no farther from the ends of the run than twice the tolerance is theirs: there curves may end before they meet, or behind
-// it.
+// Ignores places within twice the tolerance of the ends of the run. There curves may end a little before they
+// meet, or after.
 std::optional<Point2> BesideLoops::astray_in(const Part &part, const std::array<Point2, 2> &ends) const {
     const auto [lower, upper] = part.share;
     const size_t count = lower == 0 && upper == 1 ? few : shares.size();
@@ -180,7 +181,7 @@ std::optional<Point2> BesideLoops::astray_in(const Part &part, const std::array<
     return std::nullopt;
 }
 
-// Both places count, so that nothing is said of what is too thin to be at both.
+// The values have to be wrong at both distances, so that areas too thin to contain both places are ignored.
 bool BesideLoops::is_astray(const Sample &sample) const {
     const Point2 step = step_aside(sample);
     return std::ranges::any_of(std::array{1.0, -1.0}, [&](double side) {
@@ -197,9 +198,10 @@ bool BesideLoops::is_wrong(const Point2 &x) const noexcept {
     return value && *value != 0 && *value != 1;
 }
 
-// At a right angle in space to the curve, but where the surface has no tangent plane: with the metric G of the surface, G^-1 (-v', u').
+// A step in the domain that is perpendicular to the curve in space, and `near_` long: with the metric G of
+// the surface, G^-1 (-v', u'). Where the surface has no tangent plane, `flattest` makes G regular.
 Point2 BesideLoops::step_aside(const Sample &sample) const {
-    constexpr double flattest = 0x1p-20; // of the metric
+    constexpr double flattest = 0x1p-20; // added to the metric
     const auto [along_u, along_v] = slopes(surface_, covering_, covering_.in_domain(sample.at));
     const double e = product(along_u, along_u) + flattest, f = product(along_u, along_v),
                  g = product(along_v, along_v) + flattest;
@@ -209,7 +211,7 @@ Point2 BesideLoops::step_aside(const Sample &sample) const {
     Point2 step{g * across_u - f * across_v, e * across_v - f * across_u};
     const double length =
         std::sqrt(e * step[0] * step[0] + 2 * f * step[0] * step[1] + g * step[1] * step[1]);
-    double room = 0; // how many times as far as rounding it is
+    double room = 0; // the step in multiples of what rounding may move
     for (const int k : {0, 1}) {
         const auto at = static_cast<size_t>(k);
         step[at] *= near_ / covering_.extent() / length * covering_.period(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies at both sides of the loops of a face.
+// Checks the values on both sides of the loops of a face.
 #pragma once
 
 #include "base/watch.h"
@@ -12,21 +12,22 @@
 
 namespace nrb::face {
 
-// Between cuts, what is beside a loop is the same.
+// Looks for places beside loops that are neither inside nor outside. Between cuts the values beside a loop do
+// not change, so that a few samples are enough.
 class BesideLoops {
 public:
-    // near: how far from a curve what is beside it is looked at, and twice as far, in space.
+    // near: a distance in space; values are taken so far from a curve, and twice as far.
     BesideLoops(const Spline &surface, const Covering &covering, const TrimMap &trims, double near);
 
-    // Curves meet at a place of the plane that covers the domain.
+    // Cuts loops at a place of the plane that covers the domain at which curves meet.
     void cut(const Point2 &x);
 
     struct Astray {
         int loop;
         Point2 at; // in the domain
     };
-    // A place of a loop with a side that is neither inside nor outside; none if there is no such place. Loops that are not cut are
-    // looked at in a few places, all pieces of the others in a few each.
+    // A place of a loop beside which there is neither inside nor outside; none if no sample shows one. A loop
+    // that is not cut is sampled at a few places, other loops at a few places of each piece.
     [[nodiscard]] std::optional<Astray> astray();
 
 private:
@@ -38,7 +39,7 @@ private:
     struct Part {
         size_t piece;
         Interval share;
-        bool cut; // where it begins
+        bool cut; // whether there is a cut where it begins
     };
     struct Sample {
         Point2 at, tangent;

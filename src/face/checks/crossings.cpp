@@ -20,7 +20,7 @@ using intersect::HitKind;
 
 constexpr int range_samples = 8;
 
-// How far apart rounding may set places that are one.
+// How far rounding may move a place, in space.
 double rounding(const Covering &covering) noexcept {
     double share = 1;
     for (const int k : {0, 1}) {
@@ -47,7 +47,8 @@ Crossings::Crossings(const Spline &surface, const Covering &covering, std::span<
     }
 }
 
-// By rounding nobody can tell an overlap from curves that touch; but what is undecided along so much of a curve is one.
+// Because of rounding, overlaps cannot be told from curves that touch. What is undecided along a large share
+// of a curve counts as an overlap.
 bool Crossings::runs_along(const LoopHit &hit) const {
     constexpr double most_of_touch = 0x1p-6;
     if (hit.kind != HitKind::overlap && hit.kind != HitKind::undecided) {
@@ -63,8 +64,8 @@ bool Crossings::runs_along(const LoopHit &hit) const {
     return length > std::max(near_, most_of_touch * std::min(whole(hit.a), whole(hit.b))) && runs_beside(hit);
 }
 
-// In opposite directions: a loop along both sides of a cut or a seam, or two loops that bound a surface which is cut open around an
-// axis.
+// Overlaps in opposite directions are allowed: those of a loop that runs along both sides of a cut or a seam,
+// and those of two loops that bound a surface which is cut open around an axis.
 bool Crossings::is_allowed(const LoopHit &hit) const {
     const LoopCurve &a = hits_.curves()[hit.a], &b = hits_.curves()[hit.b];
     return (a.loop == b.loop || (a.around && b.around)) && runs_against(hit);
@@ -78,7 +79,7 @@ bool Crossings::runs_against(const LoopHit &hit) const {
     return ahead(0.375) > ahead(0.625);
 }
 
-// In space, from the beginning of the range.
+// The extent in space of a range of a curve: the largest distance of samples from its start.
 double Crossings::extent(size_t curve, Interval range) const {
     double most = 0;
     for (int i = 1; i <= range_samples; ++i) {
@@ -88,18 +89,20 @@ double Crossings::extent(size_t curve, Interval range) const {
     return most;
 }
 
-// On b, in its range, of the place of a at t: all of a curve may be nearest to itself.
+// The parameter on b, in its range, of the foot of a at t. Without the range, the foot of a curve on itself
+// would be the place itself.
 double Crossings::foot(const LoopHit &hit, double t) const {
     return hits_.foot(hit.b, place_beside(hit, t), hit.range_b);
 }
 
-// Of a at t, where b is.
+// The place of a at t, in the copy of the plane in which b is stored.
 Point2 Crossings::place_beside(const LoopHit &hit, double t) const {
     const Point2 x = hits_.place(hit.a, t);
     return {x[0] - hit.move[0], x[1] - hit.move[1]};
 }
 
-// No farther away, in all of the range, than counts as nothing. Rounding hides more where curves touch than of a place.
+// Whether a is near b in all of the range. Rounding hides more along a touch than at a single place, so that
+// this allows for more.
 bool Crossings::runs_beside(const LoopHit &hit) const {
     const double most = std::max(near_, 0x1p-30 * covering_.extent());
     for (int i = 0; i <= range_samples; ++i) {
@@ -119,19 +122,19 @@ bool Crossings::is_inner_crossing(const LoopHit &hit) const {
     return hit.kind == HitKind::crossing && is_inner(hit.a, hit.at_a) && is_inner(hit.b, hit.at_b);
 }
 
-// In space.
+// The distance in space of places on two curves.
 double Crossings::gap(size_t a, double at_a, size_t b, double at_b) const {
     return gap_between(surface_, covering_, hits_.place(a, at_a), hits_.place(b, at_b));
 }
 
-// A curve that closes has two ends in one place.
+// A curve that closes has both ends in one place; then the end with the nearer parameter counts.
 bool Crossings::is_end(size_t curve, double at, bool upper) const {
     const Interval domain = hits_.curves()[curve].spline->axis(0).domain();
     const bool nearer = upper == (at - domain.lower > domain.upper - at);
     return nearer && gap(curve, upper ? domain.upper : domain.lower, curve, at) <= near_;
 }
 
-// Where one curve of a loop goes on in the other.
+// Whether one of the curves continues the other one, in the same loop, at this hit.
 bool Crossings::is_succession(const LoopHit &hit) const {
     const auto goes_on = [&](size_t a, double at_a, size_t b, double at_b) {
         return hits_.follows(a, b) && is_end(a, at_a, true) && is_end(b, at_b, false);
@@ -151,8 +154,9 @@ void Crossings::fail_at(const LoopHit &hit, Status status, const char *verb, boo
          there(hit.b, hit.at_b, hit.range_b).c_str());
 }
 
-// The hit of a loop that is nearest to a place, those between ends of curves before the others; if there is none, one of other loops,
-// by which this one may be turned.
+// The hit to be reported for a place beside a loop: the nearest hit of that loop, with crossings away from
+// the ends of curves before all others. If it has none, a crossing of other loops, which may have caused this
+// one to be turned.
 const LoopHit *Crossings::nearest(int loop, const Point2 &x) const {
     constexpr int worst = 3;
     const LoopHit *best = nullptr;
@@ -179,7 +183,8 @@ void Crossings::check_hits() const {
     }
 }
 
-// Where a loop runs along both sides of a seam, or of a cut, what runs across has the same beside it before and behind.
+// Across curves that run along each other, as along both sides of a seam or a cut, the value does not change.
+// So a curve that crosses both does not show in the values beside it.
 void Crossings::check_doubled() const {
     for (const LoopHit &hit : hits_.all()) {
         const LoopHit turned{hit.b,       hit.a,       hit.at_b, hit.at_a,
@@ -192,7 +197,7 @@ void Crossings::check_doubled() const {
     }
 }
 
-// Whether a is on both sides of b, farther away than twice the tolerance.
+// Whether a is on both sides of b, at distances above twice the tolerance.
 bool Crossings::goes_through(const LoopHit &hit) const {
     constexpr int both_ways = 4 * range_samples;
     const Interval domain = hits_.curves()[hit.a].spline->axis(0).domain();

@@ -11,22 +11,23 @@
 
 namespace nrb::face {
 
-// To the left of a loop is the inside, to its right the outside: places have the value 1 or 0. Around a crossing lie three
-// values in a row, so that loops cross if and only if there are places of another value; and along a curve the values at its
-// sides are the same from one hit to the next. So what is between hits is looked at beside the curve, farther away than the
-// tolerance: what is thinner than twice the tolerance is no crossing.
+// Loops have the inside to their left and the outside to their right; if none cross, all places have the
+// value 1 or 0 (TrimMap). Around a crossing there are three consecutive values. Hence loops cross if and only
+// if there are places with another value. Along a curve the values at its sides do not change from one hit to
+// the next. So between hits the values beside the curve are checked, at distances above the tolerance: what
+// is thinner than twice the tolerance is not a crossing.
 class Crossings {
 public:
-    // Throws Status::crossing for curves that run along each other, but for those of a loop that goes there and back, and of two
-    // that run around a closed axis in opposite directions.
+    // Throws Status::crossing for curves that run along each other, except for those of a loop that goes
+    // there and back, and those of two loops that run around a closed axis in opposite directions.
     Crossings(const Spline &surface, const Covering &covering, std::span<const ClosedLoop> loops,
               double tolerance);
 
-    // Throws Status::crossing for curves that cross, orientation for loops that lie in each other as no face has them,
-    // not_converged where it is undecided whether curves cross.
+    // Throws Status::crossing for curves that cross, orientation for loops that contain each other as those
+    // of no face do, not_converged where it is undecided whether curves cross.
     void check(const TrimMap &trims) const;
 
-    // For loops that have no map at all: throws Status::crossing if curves cross between their ends.
+    // For loops for which there is no TrimMap: throws Status::crossing if curves cross between their ends.
     void check_hits() const;
 
 private:
@@ -48,9 +49,9 @@ private:
 
     const Spline &surface_;
     const Covering &covering_;
-    double near_; // in space, rounding included
+    double near_; // a distance in space, with rounding added
     LoopHits hits_;
-    std::vector<bool> doubled_; // of the curves: whether they run along others, as allowed
+    std::vector<bool> doubled_; // for each curve: whether it runs along another one, as is allowed
 };
 
 } // namespace nrb::face

@@ -23,20 +23,21 @@ namespace {
 
 using intersect::Box3;
 
-constexpr double most_loop_copies = 0x1p16; // of the domain, that curves run through
-// A new spline, whatever the move: two curves that meet are never one value.
+constexpr double most_loop_copies = 0x1p16; // most copies of the domain through which curves may run
+// A new spline, even without a move, so that two curves that are compared are never the same object.
 SplinePtr scaled_copy(const Spline &curve, const Point2 &scale, const Point2 &move) {
     const double matrix[] = {scale[0], 0, 0, scale[1]};
     return refine::transform(curve, {2, 2, matrix}, move.data());
 }
 
-// 1 by a power of two about as large as a period; that may be denormal, or overflow.
+// The reciprocal of a power of two that is about as large as a period. The exponent is limited, because the
+// period may be denormal, or its reciprocal may overflow.
 double unit_of(double period) noexcept {
     constexpr int most = 1000;
     return std::exp2(-std::clamp(std::ilogb(period), -most, most));
 }
 
-// With room for what rounding does to copies, and for what is near.
+// Larger by what rounding does to copies, and by the distance that counts as none.
 Box3 flat_box(const bounds::Box &box, const Point2 &move, const Point2 &scale, double near) noexcept {
     Box3 flat;
     flat.lower[2] = flat.upper[2] = 0;
@@ -56,8 +57,8 @@ Box3 moved_box(Box3 box, const Point2 &by) noexcept {
     return box;
 }
 
-// Whether a coordinate of the control points only rises or only falls: then the curve passes none of its values twice, since
-// by variation diminution a line meets it no more often than its polygon.
+// Whether one coordinate of the control points strictly ascends or descends. Then the curve has no value of
+// it twice, since by variation diminution a line meets the curve no more often than its control polygon.
 bool runs_one_way(const Spline &curve) noexcept {
     for (const int k : {0, 1}) {
         bool rises = true, falls = true;
@@ -78,8 +79,8 @@ bool runs_one_way(const Spline &curve) noexcept {
 LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops, double near)
     : covering_(covering), near_(near), scale_{unit_of(covering.period(0)), unit_of(covering.period(1))} {
     add(loops);
-    const int64_t for_a_point =
-        near_ > 0 ? 1000000 : 100000; // loops of a face are not to cross, others may at every turn
+    // The loops of a face should not cross. Other curves, for which `near` is not 0, may cross everywhere.
+    const int64_t for_a_point = near_ > 0 ? 1000000 : 100000;
     const UsualLimit usual(usual_work(points(), for_a_point));
     const intersect::BoxTree tree(boxes_);
     const Phase phase(0.75);
@@ -129,7 +130,8 @@ void LoopHits::add(const Spline &curve, Point2 shift, LoopCurve of) {
     curves_.push_back(std::move(of));
 }
 
-// By all moves that bring boxes of the others to that of a; of a curve and itself, those in one direction.
+// Compares a with other curves by all moves that bring their boxes together. For a curve with itself, one of
+// two opposite moves is enough.
 void LoopHits::compare(size_t a, const intersect::BoxTree &tree) {
     const Box3 all = tree.box(), &own = boxes_[a];
     const Point2 period{covering_.period(0) * scale_[0], covering_.period(1) * scale_[1]};

@@ -49,7 +49,7 @@ void Column::add_parts(const TrimPiece &piece, Interval column) {
     }
 }
 
-// The last span that begins below.
+// The last span that begins below v.
 size_t Column::row_of(double v) const {
     const auto above = std::upper_bound(v_breaks_.begin() + 1, v_breaks_.end() - 1, v);
     return static_cast<size_t>(above - v_breaks_.begin()) - 1;
@@ -74,7 +74,7 @@ void Column::set_places(Interval column) {
     }
 }
 
-// Of what lies on the upper end, as what leads around a pole does, nothing is above.
+// Pieces on the upper end of the domain, such as those around a pole, have nothing above them.
 void Column::pass_the_top() {
     const auto is_on_top = [&](const ColumnPart &part) { return part.piece->lower[1] >= v_breaks_.back(); };
     for (const ColumnPart &part : parts_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pieces of a face in one column of its surface.
+// The pieces of a face in one column of its surface, a span of axis 0.
 #pragma once
 
 #include "face/trims/trim_map.h"
@@ -8,7 +8,7 @@
 
 namespace nrb::face {
 
-// A part of a piece in one column and one span of v.
+// The part of a piece in one column and one span (row) of axis 1.
 struct ColumnPart {
     const TrimPiece *piece;
     Interval along;
@@ -17,24 +17,26 @@ struct ColumnPart {
     int passed;
 };
 
-// Between neighbouring places no piece begins, ends, or passes from one span of v to the next one.
+// Divides a column at places of axis 0, such that between neighbouring places no piece begins, ends, or
+// passes from one span of v to the next.
 class Column {
 public:
     // v_breaks: the knots of axis 1 in the domain.
     Column(const TrimMap &trims, const std::vector<double> &v_breaks) : trims_(trims), v_breaks_(v_breaks) {}
 
-    // Of the pieces that come into the column, which is a span of u.
+    // Sets the column, an interval of u, and the pieces that enter it.
     void set(Interval column, const std::vector<const TrimPiece *> &pieces);
 
     [[nodiscard]] const TrimMap &trims() const noexcept { return trims_; }
     [[nodiscard]] const std::vector<double> &v_breaks() const noexcept { return v_breaks_; }
     [[nodiscard]] const std::vector<ColumnPart> &parts() const noexcept { return parts_; }
     [[nodiscard]] const std::vector<double> &places() const noexcept { return places_; }
-    // How many loops go around places below the top, between each place and the next one.
+    // The value (TrimMap) at places just below the top, between each place and the next one.
     [[nodiscard]] const std::vector<int> &values_at_top() const noexcept { return values_; }
-    // Adds what is passed with a part to values between its places.
+    // Updates the values between the places of a part from above the part to below it.
     void pass(const ColumnPart &part, std::vector<int> &values) const;
-    // Throws Status::orientation unless a value > 0 is 1. Slivers between loops that run along each other are left as they are.
+    // Throws Status::orientation if a value is not 1, except in slivers between loops that run along each
+    // other.
     void check_value(int value, double width) const;
 
 private:
@@ -50,7 +52,7 @@ private:
     std::vector<int> values_;
 };
 
-// Those that come into each column between breaks of u.
+// For each column between breaks of u, the pieces that enter it.
 std::vector<std::vector<const TrimPiece *>> pieces_in_columns(const TrimMap &trims,
                                                               const std::vector<double> &u_breaks);
 

@@ -21,20 +21,21 @@ constexpr int64_t work_of_a_node = 300;
 constexpr int64_t least_work = 1500000000;
 constexpr int64_t rules_for_a_panel = 24;
 constexpr int most_panel_halvings = 40;
-// Rules of a few nodes over all of a panel may agree by chance; many small parts do not.
+// The rules of few nodes on a whole panel may agree by chance; those on many small parts do not.
 constexpr double caution_with_whole_panels = 10;
 
 struct PanelPart {
     Panel panel;
-    size_t rule; // of its surface
+    size_t rule; // index of the rule of its surface
     std::array<int, 2> levels{first_level, first_level};
     PanelRule::Sums sums{};
     int halvings = 0;
-    double error = 0; // the largest of its errors, relative to what each value is relative to
+    double error = 0; // the largest one of its values, relative to what the value is relative to
 
     bool operator<(const PanelPart &other) const noexcept { return error < other.error; }
 };
 
+// Adaptive cubature: a queue of panels, the one with the largest error first.
 class FaceIntegral {
 public:
     FaceIntegral(const measure::Integrand &integrand, const pieces::Frame &frame)
@@ -67,7 +68,7 @@ private:
     [[nodiscard]] static std::vector<double> breaks_of(const Spline &surface, int k) {
         return pieces::breaks_in(surface.axis(k), surface.axis(k).domain());
     }
-    // Coordinates are at most about 1, so that the first value is what all of them are relative to.
+    // Coordinates are at most about 1, so that all values are relative to the first one.
     void evaluate(PanelPart &part) {
         part.sums = rules_[part.rule].evaluate(part.panel, part.levels,
                                                part.halvings == 0 ? caution_with_whole_panels : 1);
@@ -93,8 +94,8 @@ private:
         return *std::max_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(dependent_));
     }
 
-    // The part with the largest error: a higher rule along the worse axis, or both halves. A part that cannot be halved further is
-    // not tried again.
+    // Takes the part with the largest error, and uses a higher rule along the worse axis, or halves the part.
+    // A part that cannot be halved further is not tried again.
     void refine() {
         PanelPart part = queue_.top();
         queue_.pop();
@@ -152,7 +153,7 @@ private:
     const pieces::Frame &frame_;
     size_t values_, dependent_;
     std::deque<PanelRule> rules_;
-    double off_ = 0; // how much of their sizes derivatives may be off
+    double off_ = 0; // errors of derivatives, relative to their sizes
     std::priority_queue<PanelPart> queue_;
     int64_t left_ = least_work;
     double error_ = 0, size_ = 0, magnitude_ = 0, spread_ = 0;

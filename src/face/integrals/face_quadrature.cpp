@@ -20,7 +20,7 @@ namespace {
 
 constexpr int64_t work_of_a_place = 300;
 
-// A curve, or the line at a knot, from one side of a cell to the other one.
+// The lower or upper bound of a cell: a curve, or the line at a knot, from one side of the cell to the other.
 struct Bound {
     const TrimPiece *piece; // null: the line
     double v;
@@ -33,6 +33,7 @@ struct Bound {
     }
 };
 
+// Walks down the columns of the surface, and adds the points in the cells that are inside.
 class CellWalk {
 public:
     CellWalk(const Face &face, const std::vector<double> &v_breaks, int nodes)
@@ -48,7 +49,7 @@ public:
     [[nodiscard]] FaceQuadrature &found() noexcept { return found_; }
 
 private:
-    // From the top down, span by span, over the curves that lie across.
+    // Goes down a strip between neighbouring places, span by span, across the curves in it.
     void walk_strip(Interval u, int value) {
         const std::vector<double> &v = column_.v_breaks();
         for (size_t row = v.size() - 1; row-- > 0;) {
@@ -63,7 +64,7 @@ private:
         }
     }
     struct Crossing {
-        double v; // half-way
+        double v; // in the middle of the strip
         const ColumnPart *part;
     };
     std::vector<Crossing> crossings(Interval u, size_t row) const {

@@ -9,6 +9,7 @@ namespace nrb::face {
 
 namespace {
 
+// Walks down the columns of the surface, and adds panels.
 class ColumnWalk {
 public:
     ColumnWalk(const TrimMap &trims, const std::vector<double> &v_breaks, std::vector<Panel> &out)

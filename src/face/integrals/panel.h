@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a face on which integrands are smooth.
+// The panels of a face: parts on which integrands are smooth.
 #pragma once
 
 #include "face/trims/trim_map.h"
@@ -8,27 +8,29 @@
 
 namespace nrb::face {
 
-// A rectangle of the domain; or what lies below a part of a piece, down to the lower end of v. It stays within one span of each
-// axis of the surface.
+// A rectangle of the domain, or the area between a part of a piece and the lower end of its span of v. It
+// lies in one span of each axis of the surface.
 struct Panel {
     const TrimPiece *piece = nullptr; // null: the rectangle
     Interval along{};                 // of the piece, or of u
-    Interval v{};                     // the upper end: of a rectangle only
-    Interval share{0, 1};             // of the way up
-    double factor = 1;                // how often the face holds it, negative where it was counted too often
+    Interval v{};                     // of a rectangle; below a piece only the lower end counts
+    Interval share{0, 1};             // of the height, from the lower end up
+    double factor = 1;                // how often it counts, negative where it was counted too often
 
-    // The place at x, y in [0, 1], with derivatives by both.
+    // The place at (x, y) in [0, 1]^2, and its derivatives by x and y.
     struct Jet {
         Point2 place, by_x, by_y;
     };
     [[nodiscard]] Jet jet(const TrimPieces &pieces, double x, double y) const noexcept;
-    // Halves across x or y: this becomes the upper one.
+    // Halves the panel across x or y: this becomes the upper half, and the lower one is returned.
     Panel halve(size_t axis) noexcept;
 };
 
-// The face as a sum of panels: each column of the surface is gone down span by span, from what is inside at its top; what lies
-// below the pieces in a span is added or taken away. Breaks: the knots of both axes in the domain. Cost: linear in the number of
-// pieces times the spans that they pass, and of spans inside.
+// The face as a sum of panels. Each column of the surface is run through from top to bottom, span by span,
+// with the values (TrimMap) at its top to begin with. In each span there are rectangles with the values at
+// its upper end, and for each piece the area below it, which is added or taken away. Breaks: the knots of
+// both axes in the domain. Cost: linear in the number of pieces times the spans that they cross, and of spans
+// inside.
 std::vector<Panel> panels_of(const TrimMap &trims, const std::vector<double> &u_breaks,
                              const std::vector<double> &v_breaks);
 

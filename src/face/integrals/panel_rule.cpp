@@ -11,9 +11,9 @@ namespace nrb::face {
 
 namespace {
 
-// The difference of two rules is what the lower one lacks, as far as both are not equally wrong. The higher one lacks about its square,
-// which is trusted as far as QUADPACK trusts it (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber, D. Kahaner, 1983), with the
-// magnitude in place of the mean deviation.
+// The difference of two rules is the error of the lower one, unless both are equally wrong. The error of the
+// higher rule is about the square of that. As in QUADPACK (R. Piessens, E. de Doncker-Kapenga, C. Ueberhuber,
+// D. Kahaner, 1983), only a power of 1.5 is relied on, here with the magnitude instead of the mean deviation.
 double likely_error(double difference, double magnitude, double caution) noexcept {
     if (!(magnitude > 0)) {
         return difference;
@@ -21,7 +21,7 @@ double likely_error(double difference, double magnitude, double caution) noexcep
     return std::min(caution * difference, magnitude * std::pow(200 * difference / magnitude, 1.5));
 }
 
-// The weight of a place in the rule of a level, which higher rules may have more places than.
+// The weight of a node in the rule of a level; 0 for nodes that only higher levels have.
 double weight_at(int level, size_t place) noexcept {
     return place < static_cast<size_t>(rule_size(level)) ? rule_weights(level)[place] : 0;
 }
@@ -53,7 +53,7 @@ void PanelRule::fill_nodes(const Panel &panel, const std::array<int, 2> &levels)
     }
 }
 
-// What is integrated, at all nodes.
+// Evaluates the integrand at all nodes.
 void PanelRule::visit_nodes() {
     const auto count = std::ssize(nodes_);
     const auto width = static_cast<int64_t>(3 * dim_);
@@ -67,7 +67,7 @@ void PanelRule::visit_nodes() {
     for (size_t i = 0; i < nodes_.size(); ++i) {
         const double *jet = derivatives_.data() + i * static_cast<size_t>(width);
         const Panel::Jet &by = jets_[i];
-        const double part = std::abs(by.by_x[0] * by.by_y[1] - by.by_x[1] * by.by_y[0]); // of the domain
+        const double part = std::abs(by.by_x[0] * by.by_y[1] - by.by_x[1] * by.by_y[0]); // area of the domain
         double u = 0, v = 0;
         for (size_t c = 0; c < dim_; ++c) {
             place[c] = frame_.coordinate(c, jet[c]);

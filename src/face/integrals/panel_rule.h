@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tensor products of nested rules on panels.
+// Tensor products of nested quadrature rules on panels.
 #pragma once
 
 #include "face/integrals/panel.h"
@@ -12,18 +12,21 @@
 
 namespace nrb::face {
 
+// Evaluates integrals over single panels of a surface.
 class PanelRule {
 public:
     PanelRule(const Spline &surface, const TrimMap &trims, const pieces::Frame &frame,
               const measure::Integrand &integrand);
 
-    // The integrals by the rules of two levels >= 1 along x and y, and how far those of one level less along either are away; caution >= 1:
-    // how much farther away than these the integrals may be themselves.
+    // Integrates over a panel by the rules of two levels >= 1, along x and y, and estimates errors from the
+    // rules one level lower along either axis. caution >= 1: a factor by which an error may exceed the
+    // difference of the two rules.
     struct Sums {
         std::vector<double> values;                // times the factor of the panel
-        std::array<std::vector<double>, 2> errors; // what a higher rule is likely to change
-        double magnitude = 0;                      // of the first value
-        double spread = 0; // the same if derivatives were at right angles; they are off by a few eps of it
+        std::array<std::vector<double>, 2> errors; // for x and y: what a higher rule is likely to change
+        double magnitude = 0;                      // integral of the magnitude of the first value
+        // The integral of |S_u| |S_v|: the area if both were perpendicular. Rounding is a few eps of it.
+        double spread = 0;
     };
     Sums evaluate(const Panel &panel, const std::array<int, 2> &levels, double caution);
 
@@ -36,7 +39,7 @@ private:
     const pieces::Frame &frame_;
     const measure::Integrand &integrand_;
     size_t dim_, values_;
-    std::vector<std::array<size_t, 2>> nodes_; // places in the rules
+    std::vector<std::array<size_t, 2>> nodes_; // indices of nodes in both rules
     std::vector<Panel::Jet> jets_;
     std::vector<double> params_, derivatives_, out_, spreads_;
 };

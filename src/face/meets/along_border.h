@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves that run along borders.
+// Curves that run along the border of a face.
 #pragma once
 
 #include "face/face.h"
@@ -8,10 +8,11 @@
 
 namespace nrb::face {
 
-// Whether parts of a curve are all of it, but for what is as short as ends of such parts are exact.
+// Whether parts of a curve cover its domain, except for gaps that are within the accuracy of the ends of such
+// parts.
 bool cover(std::vector<Interval> parts, const Interval &domain);
 
-// Whether a curve in the domain runs along curves of loops from end to end.
+// Whether a curve in the domain of a face runs along curves of its loops from end to end.
 bool runs_along_border(const Face &face, const Spline &curve);
 
 } // namespace nrb::face

@@ -22,12 +22,13 @@ namespace nrb::face {
 
 namespace {
 
-// Sines of angles between tangent planes below which these are one, and by which rooms are not divided.
+// Tangent planes count as equal if the sine of the angle between them is at most this, and rooms are not
+// divided by a smaller sine.
 constexpr double least_sine = 1.0 / 256;
-// Rooms that divided are no larger than this share of their edges.
+// A room that was enlarged by such a division is no larger than this share of its edge.
 constexpr double most_of_edge = 1.0 / 16;
 
-using Keys = std::map<int64_t, const Coedge *>; // the first use of each
+using Keys = std::map<int64_t, const Coedge *>; // the first coedge of each key
 
 Keys keys_of(const Face &face) {
     Keys keys;
@@ -41,7 +42,7 @@ Keys keys_of(const Face &face) {
     return keys;
 }
 
-// The largest coordinate, and the largest side of the box, of control points.
+// The largest magnitude of a coordinate of the control points, and the largest side of their box.
 double size_of(const Spline &curve) noexcept {
     double size = 0;
     for (int64_t i = 0; i < curve.point_count(); ++i) {
@@ -64,7 +65,7 @@ double extent_of(const Spline &curve) noexcept {
     return extent;
 }
 
-// Faces that do not know each other may have equal keys by chance.
+// Faces of different origin may have equal keys by chance.
 bool are_one(const Face &a, const Coedge &on_a, const Face &b, const Coedge &on_b) {
     const SplinePtr one = edge_of(a, on_a), other = edge_of(b, on_b);
     const double room = a.tolerance() + b.tolerance() + 0x1p-40 * size_of(*one);
@@ -81,7 +82,8 @@ bool has_parameters_of(const Spline &curve, const Spline &edge) noexcept {
     return same(curve.axis(0).domain(), edge.axis(0).domain());
 }
 
-// That of the loop, if it runs with the edge.
+// The curve of the loop, if it has the parameters of the edge. turned: whether the two run in opposite
+// directions.
 UnderEdge given_under(const Face &face, const Coedge &coedge, const SplinePtr &edge, bool turned) {
     const SplinePtr curve = turned ? refine::reverse(*coedge.curve, 0, false) : coedge.curve;
     if (!has_parameters_of(*curve, *edge)) {
@@ -96,7 +98,7 @@ UnderEdge under(const Face &face, const Coedge &coedge, const SplinePtr &edge, b
     if (given.distance <= tolerance) {
         return given;
     }
-    // It was made under the edge, but no bound is known.
+    // The curve was made from the edge that was given with it, and proven to be near that.
     if (given.curve && coedge.deviation && coedge.deviation->proven) {
         return {given.curve, coedge.deviation->distance};
     }
@@ -106,7 +108,7 @@ UnderEdge under(const Face &face, const Coedge &coedge, const SplinePtr &edge, b
         const MadeCurve made = curve_under(face.surface(), face.covering(), edge,
                                            {tolerance, share_of_fit * tolerance, true}, effort);
         return {made.curve, made.proven ? made.distance : infinity};
-    } catch (const Error &error) { // farther away than the face says, or too far to be followed
+    } catch (const Error &error) { // farther away than the face says, or not to be followed
         if (error.status() != Status::gap && error.status() != Status::not_converged) {
             throw;
         }
@@ -126,9 +128,9 @@ Vector3 difference(const Spline &curve, double from, double to) {
     return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 }
 
-// How the tangent planes of both lie to each other along an edge, at some of its places.
+// The angles between the tangent planes of both faces at places along an edge.
 struct Angles {
-    double least = 1; // sine
+    double least = 1; // sine of the smallest angle
     double turn = 0;  // > 0: the edge runs along N_b x N_a
 };
 Angles angles_along(const Face &a, const Face &b, const intersect::MeetBranch &edge) {

@@ -10,16 +10,20 @@
 namespace nrb::face {
 
 struct CommonEdge {
-    // The edge with its curves in both domains, over its parameters: along N_b x N_a, or along the loop of the first face if both have
-    // the same tangent plane somewhere. A bound of how far all are apart, if it can be proven, is its deviation. Without nodes.
+    // The edge in space and its curves in both domains, over common parameters. It runs along N_b x N_a or,
+    // if both faces have the same tangent plane somewhere, along the loop of the first face. `deviation` is a
+    // bound on the distances between the images of the curves and the edge; infinite if none is proven. It
+    // has no nodes.
     intersect::MeetBranch branch;
     bool closes;
-    // How near to it curves of both surfaces are which, for all that is known of the edge, are the edge.
+    // Common curves of both surfaces within this distance of the edge are taken for the edge: all that is
+    // known of the edge does not tell them apart from it.
     double room;
 };
 
-// Those whose curves in the loops of both have one key. The curves in the domains are those of the loops where these run over the
-// parameters of the edge, else ones that are made under it. `tolerance` of the curves that they are compared with.
+// The edges whose coedges have the same key in both faces. The curves in the domains are those of the loops
+// if these run over the parameters of the edge; else they are made from the edge. tolerance: that of the
+// curves with which the edges are compared.
 std::vector<CommonEdge> common_edges(const Face &a, const Face &b, double tolerance);
 
 } // namespace nrb::face

@@ -32,7 +32,8 @@ using intersect::MeetBranch;
 using intersect::MeetNode;
 using intersect::NodeKind;
 
-// Of grounds that are looked at where the usual ones leave something open: not the same, so that no ends are one by chance again.
+// Margins of the grounds that are tried where the usual ones leave something open. They differ from the usual
+// margin and from each other, so that ends of grounds do not coincide again by chance.
 constexpr std::array<double, 2> margins_beyond{1.0 / 53, 1.0 / 41};
 struct Box {
     std::array<double, 3> lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};
@@ -59,7 +60,7 @@ bool are_near(const Box &a, const Box &b, double room) noexcept {
     return true;
 }
 
-// Which parts of a curve run along common edges.
+// The parts of a curve that run along common edges.
 std::vector<Interval> parts_along(const Spline &curve, std::span<const CommonEdge> edges) {
     std::vector<Interval> parts;
     const Box box = box_of(curve);
@@ -86,7 +87,7 @@ PartsOfBranches parts_along(const Meet &meet, std::span<const CommonEdge> edges)
     return parts;
 }
 
-// Of those that faces on one surface have beside regions.
+// Drops the edges beside regions, of faces on one surface, that run along common edges.
 void drop_edges_along(Meet &regions, std::span<const CommonEdge> edges) {
     std::erase_if(regions.branches, [&](const MeetBranch &branch) {
         return branch.kind == BranchKind::edge &&
@@ -95,7 +96,7 @@ void drop_edges_along(Meet &regions, std::span<const CommonEdge> edges) {
     regions.tidy_nodes();
 }
 
-// Whether a place is as near to an edge as that is told.
+// Whether a point is within the room of an edge.
 bool is_at(const double *x, const CommonEdge &edge) {
     const Spline &own = *edge.branch.space;
     return closest::locator_of(own)
@@ -103,7 +104,8 @@ bool is_at(const double *x, const CommonEdge &edge) {
                .distance <= edge.room;
 }
 
-// Whether a curve cannot be told from an edge: it begins at it, and is as short as that.
+// Whether a curve cannot be told from an edge: it begins within the room of the edge, and is no larger than
+// that.
 bool is_of(const Spline &curve, const CommonEdge &edge) {
     const Box box = box_of(curve);
     double size = 0;
@@ -113,7 +115,8 @@ bool is_of(const Spline &curve, const CommonEdge &edge) {
     return size <= edge.room && is_at(eval::end_point(curve, false).data(), edge);
 }
 
-// Where arcs along an edge are not found to go on in each other the edge does.
+// Where arcs along an edge were not found to continue in each other, it is the edge that continues: undecided
+// nodes that are single places on an edge become nodes of the edge.
 void settle_places_on_edges(const Spline &surface, std::span<const CommonEdge> edges, Meet &meet) {
     for (MeetNode &node : meet.nodes) {
         const bool place =
@@ -128,7 +131,7 @@ void settle_places_on_edges(const Spline &surface, std::span<const CommonEdge> e
     }
 }
 
-// Ends of what runs along an edge are as exact as that.
+// Drops short remainders at the ends of what runs along an edge, as these ends are only as exact as the room.
 void drop_what_is_of_edges(Meet &meet, std::span<const CommonEdge> edges) {
     std::erase_if(meet.branches, [&](const MeetBranch &branch) {
         return std::ranges::any_of(edges, [&](const CommonEdge &edge) { return is_of(*branch.space, edge); });
@@ -136,7 +139,7 @@ void drop_what_is_of_edges(Meet &meet, std::span<const CommonEdge> edges) {
     meet.tidy_nodes();
 }
 
-// What continued surfaces have in common ends where the faces do, to rounding.
+// Moves a meet of continued surfaces into the domains of the faces, beyond which it extends by rounding only.
 class IntoDomains {
 public:
     IntoDomains(const Face &a, const Face &b) : faces_{&a, &b} {}
@@ -163,7 +166,7 @@ private:
             range[axis] = {clamped(range[axis].lower, face, k), clamped(range[axis].upper, face, k)};
         }
     }
-    // How far points of the surface move.
+    // Moves a curve, and returns a bound on how far the points of the surface move.
     double move(SplinePtr &curve, size_t face) {
         std::array<double, 2> most{};
         std::vector<double> points(curve->points().begin(), curve->points().end());
@@ -196,7 +199,7 @@ MeetNode node_at(const Face &a, const Face &b, const MeetBranch &branch, bool up
     return node;
 }
 
-// An edge that closes begins and ends in nodes that go on in each other.
+// An edge that closes begins and ends in two nodes that continue each other.
 void add_edge(const Face &a, const Face &b, const CommonEdge &edge, Meet &meet) {
     Meet own;
     MeetBranch branch = edge.branch;
@@ -212,7 +215,8 @@ void add_edge(const Face &a, const Face &b, const CommonEdge &edge, Meet &meet) 
     meet.append(std::move(own));
 }
 
-// What faces have of the regions of a meet of their surfaces; the nodes of these tell no more of it.
+// What two faces have in common in the regions of overlap of their surfaces. The nodes of these regions have
+// then served their purpose.
 Meet regions_in(Meet &surfaces, const Face &a, const Face &b, const std::array<SplinePtr, 2> &grounds,
                 double tolerance) {
     Meet found;
@@ -227,7 +231,7 @@ Meet regions_in(Meet &surfaces, const Face &a, const Face &b, const std::array<S
         }
         if (std::optional<Meet> own = regions.within(surfaces, node)) {
             found.append(std::move(*own));
-            node.kind = NodeKind::border; // of no branch that is kept
+            node.kind = NodeKind::border; // without a branch, so that it is dropped
         }
     }
     return found;
@@ -247,7 +251,7 @@ Meet met_on(const std::array<SplinePtr, 2> &grounds, const Face &a, const Face &
 } // namespace
 
 Meet face_intersections(const Face &a, const Face &b, double tolerance) {
-    const LimitedSearch whole; // by a limit of the caller
+    const LimitedSearch whole; // at a limit of the caller it ends with what it has
     const std::vector<CommonEdge> edges = common_edges(a, b, tolerance);
     if (edges.empty()) {
         return strangers_intersections(a, b, tolerance);
@@ -270,7 +274,8 @@ Meet face_intersections(const Face &a, const Face &b, double tolerance) {
     return found;
 }
 
-// Where surfaces are one, and end in one curve, it takes what they are beyond it to tell that faces have no more in common.
+// Where two surfaces coincide up to a common end curve, only their continuations beyond it can show that the
+// faces have nothing else in common.
 Meet strangers_intersections(const Face &a, const Face &b, double tolerance) {
     const LimitedSearch whole;
     Meet found = met_on({ground_of(a, false), ground_of(b, false)}, a, b, tolerance);

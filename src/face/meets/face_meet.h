@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where two faces meet.
+// Intersections of two faces.
 #pragma once
 
 #include "face/face.h"
@@ -7,11 +7,12 @@
 
 namespace nrb::face {
 
-// What their surfaces have in common inside of both, and of edges that have one key in both, these: curves beside such an edge are
-// the edge. Preconditions: surfaces in space; tolerance > 0, of the curves.
+// What the surfaces of two faces have in common inside of both faces, with the edges that have the same key
+// in both. Curves beside such an edge, within its room (CommonEdge), are dropped in favour of the edge.
+// Preconditions: surfaces in space; tolerance > 0, of the curves.
 intersect::Meet face_intersections(const Face &a, const Face &b, double tolerance);
 
-// Of faces of which no edge of the one is known to be one of the other.
+// The same for faces of which no edge of one is known to be an edge of the other.
 intersect::Meet strangers_intersections(const Face &a, const Face &b, double tolerance);
 
 } // namespace nrb::face

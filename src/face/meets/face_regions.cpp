@@ -39,7 +39,7 @@ SharedLoops turned(const SharedLoops &loops) {
     return result;
 }
 
-// What two faces do not tell, and no fault of the caller.
+// Whether an error means that two faces leave something open, rather than a fault of the caller.
 bool leaves_open(Status status) noexcept {
     return status == Status::not_converged || status == Status::gap || status == Status::orientation ||
            status == Status::outside_domain || status == Status::crossing || status == Status::weight_sign;
@@ -62,7 +62,8 @@ std::optional<Meet> FaceRegions::within(const Meet &surfaces, const MeetNode &re
     return std::nullopt;
 }
 
-// alike: loops with the region to their left in the one domain have it there in the other one, too.
+// alike: whether loops with the region to their left in one domain also have it to their left in the other
+// one.
 Meet FaceRegions::cut_out(const SharedLoops &loops, bool alike) {
     const auto seen_from_other = [alike](const SharedLoops &own) { return alike ? own : turned(own); };
     std::vector<SharedLoops> parts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regions that two faces have in common.
+// Regions in which two faces coincide.
 #pragma once
 
 #include "face/meets/shared_curve.h"
@@ -10,16 +10,18 @@
 
 namespace nrb::face {
 
-// What both faces have of the regions in which their surfaces are one: parts of these, each with a level of its own, from 1, as of
-// surfaces; and what their borders have in common beside them, as edges. The part of the second face in a region is cut out in its
-// domain, its border is carried over to that of the first one, and what this has inside of it is cut out there: curves that run
-// along each other within the tolerance are one.
+// What two faces have in common in the regions in which their surfaces coincide: parts of these regions, each
+// with a level of its own, counted from 1 as for surfaces; and curves along which their borders coincide
+// beside the parts, as edges. Two steps: the part of the second face in a region is cut out in the domain of
+// the second surface. Its border is carried over to the domain of the first surface, and the part of the
+// first face inside of it is cut out there. Curves that run along each other within the tolerance are one.
 class FaceRegions {
 public:
-    // grounds: the parts of the surfaces, over the same parameters, on which meets are found, and regions in them.
+    // grounds: the parts of the surfaces, over the same parameters, of which the meet and its regions were
+    // computed.
     FaceRegions(const Face &a, const Face &b, const std::array<SplinePtr, 2> &grounds, double tolerance);
 
-    // Of a region of a meet, by its node. None: it is left open what there is.
+    // For a region of a meet, given by its node. None if it is left open what the faces have in common there.
     [[nodiscard]] std::optional<intersect::Meet> within(const intersect::Meet &surfaces,
                                                         const intersect::MeetNode &region);
 
@@ -28,7 +30,7 @@ private:
 
     const Face &a_, &b_;
     SharedGrounds grounds_;
-    int64_t found_ = 0; // regions
+    int64_t found_ = 0; // number of regions
 };
 
 } // namespace nrb::face

@@ -16,9 +16,10 @@ namespace nrb::face {
 
 namespace {
 
-// Of the span at an end: its polynomial is hardly larger so far beyond it.
+// A surface is continued by at most this share of the span at its end: so little beyond it, the polynomial of
+// the span is hardly larger.
 constexpr double most_of_span = 1.0 / 8;
-// What is kept of a span is no less than that.
+// A span that is cut keeps at least this share of its length.
 constexpr double least_of_span = 1.0 / 8;
 
 double last_span(const KnotVector &axis, bool upper) {
@@ -31,12 +32,13 @@ SplinePtr continued(const SplinePtr &surface, int axis, bool upper, double amoun
     const double most = most_of_span * last_span(surface->axis(axis), upper);
     try {
         return refine::extend(surface, axis, upper, std::min(amount, most), surface->axis(axis).degree());
-    } catch (const Error &) { // weights would not stay positive, or parameters have no digits
+    } catch (const Error &) { // weights would not stay positive, or the new end is not representable
         return surface;
     }
 }
 
-// Farther out, where the piece that is cut would be a sliver, beyond which its polynomial tells nothing.
+// Where to cut an axis. The cut is farther out if it would leave a sliver of a span, beyond which its
+// polynomial says nothing.
 double cut_at(const KnotVector &axis, double at, bool upper) {
     const std::span<const double> breaks = axis.spans().breaks();
     const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
@@ -44,7 +46,8 @@ double cut_at(const KnotVector &axis, double at, bool upper) {
     return upper ? std::max(at, low + least) : std::min(at, high - least);
 }
 
-// Of control points with their weights around a centre, of the derivative along an axis and of the weights' one.
+// Bounds for one axis: the distance of control points from a centre, the magnitudes of the derivatives of
+// homogeneous points and of weights, and the least weight.
 struct Speeds {
     double reach = 0, along = 0, weights = 0, least = infinity;
 };
@@ -76,7 +79,8 @@ SplinePtr ground_of(const Face &face, bool beyond, double margin) {
     return surface;
 }
 
-// Of (P / w)' = (P' - (P / w) w') / w around a centre, by the hulls of P', w' and w.
+// By (P / w)' = (P' - (P / w) w') / w, where P are homogeneous points relative to a centre, and the convex
+// hulls of P', w' and w.
 std::array<double, 2> fastest(const Spline &surface) {
     std::array<double, 2> bound{};
     const int64_t columns = surface.count(1);

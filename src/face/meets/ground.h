@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of a surface that what a face has in common with others is looked for on.
+// The ground of a face: the part of its surface on which common points with other faces are searched for.
 #pragma once
 
 #include "face/face.h"
@@ -7,18 +7,21 @@
 
 namespace nrb::face {
 
-// Of the rectangle: small enough to stay near, and large enough for what is found beside the border to be no part of the face.
+// A share of the smallest rectangle that contains the face. It is so small that the ground stays near the
+// face, and so large that what is found beside the border is no part of the face.
 inline constexpr double usual_margin = 1.0 / 64;
 
-// The surface over a little more than the smallest rectangle that holds the face, by the same parameters. `beyond`: continued where
-// the domain ends, as far as its weights stay positive, so that what runs along its ends does not; axes that close and poles stay.
+// The surface over a little more than the smallest rectangle that contains the face, by the same parameters.
+// beyond: whether it is continued where the domain ends, as far as its weights stay positive, so that what
+// runs along ends of the domain does not run along ends of the ground. Closed axes and poles are not
+// continued.
 SplinePtr ground_of(const Face &face, bool beyond, double margin = usual_margin);
 
-// How much faster a point of the surface moves than its parameters, on each axis: bounds over the domain, infinite where there is
-// none.
+// For each axis, a bound on the speed, the magnitude of the derivative of the surface by its parameter;
+// infinite if there is none.
 std::array<double, 2> fastest(const Spline &surface);
 
-// S_u x S_v over powers of two; 0 where it is not defined. Precondition: a place of the domain.
+// S_u x S_v, each divided by a power of two; 0 where it is not defined. Precondition: a place of the domain.
 Vector3 surface_normal(const Spline &surface, const Point2 &at);
 
 } // namespace nrb::face

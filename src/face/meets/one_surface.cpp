@@ -12,10 +12,11 @@ namespace nrb::face {
 
 namespace {
 
-// Of the domain: less than what grounds have beyond edges.
+// How far beside the edge, as a share of the domain: less than the ground extends beyond edges.
 constexpr double step = 1.0 / 128;
 
-// What it costs to prove a region grows with these, and neighbours of many pieces are hardly ever one surface.
+// The cost of proving a region grows with the number of pieces, and neighbours with many pieces are hardly
+// ever parts of one surface.
 constexpr size_t most_pieces = 64;
 
 size_t pieces_of(const Spline &surface) {
@@ -28,7 +29,7 @@ double distance_from(const Spline &surface, const std::vector<double> &x, double
         .distance;
 }
 
-// A place at one of both sides of it, as only one of them need be beside both faces.
+// Tries a place on either side of the edge, because only one of them need be on both grounds.
 bool goes_on(const std::array<SplinePtr, 2> &grounds, const Covering &covering, const CommonEdge &edge,
              double tolerance) {
     const Interval domain = edge.branch.on->axis(0).domain();
@@ -42,7 +43,7 @@ bool goes_on(const std::array<SplinePtr, 2> &grounds, const Covering &covering, 
     const double length = std::hypot(way[0], way[1]);
     return std::ranges::any_of(std::array{-step, step}, [&](double by) {
         Point2 at{on[0] - by * way[1] / length * sizes[0], on[1] + by * way[0] / length * sizes[1]};
-        bool inside = true; // not for edges that stand still
+        bool inside = true; // false for edges that stand still
         for (const size_t k : {size_t{0}, size_t{1}}) {
             at[k] = covering.closed(static_cast<int>(k)) ? covering.in_domain(at)[k] : at[k];
             inside = inside && at[k] >= ranges[k].lower && at[k] <= ranges[k].upper;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces that may be parts of one surface.
+// Whether faces may be parts of one surface.
 #pragma once
 
 #include "face/meets/common_edges.h"
@@ -9,8 +9,9 @@
 
 namespace nrb::face {
 
-// Whether, a little beside the middle of a common edge at which both are smooth, the surface of a is on the other one; not for
-// surfaces of many pieces. grounds: of the faces, continued beyond these.
+// Whether, at some common edge along which both faces have a tangent plane in common, a place of the surface
+// of a close to the middle of the edge is on the other surface. False for surfaces of many pieces. grounds:
+// those of the faces, continued beyond the domains.
 bool may_be_one(const std::array<SplinePtr, 2> &grounds, const Face &a, std::span<const CommonEdge> edges,
                 double tolerance);
 

@@ -28,7 +28,8 @@ void include(Interval &range, double x) noexcept {
     range = {std::min(range.lower, x), std::max(range.upper, x)};
 }
 
-// Of curves; where the domain closes, or has a pole, all of it: a part goes farther than its border there.
+// The box of the curves in domain k. If the domain closes or has a pole, this is the whole domain, because a
+// region may reach farther than its border there.
 Ranges range_of(const Covering &covering, const SharedLoops &loops, size_t k) {
     const bool all = loops.empty() || covering.closed(0) || covering.closed(1) || covering.has_poles();
     if (all) {
@@ -73,7 +74,7 @@ void RegionBranches::add_region(const SharedLoops &loops, int64_t level) {
     MeetNode node{level, NodeKind::overlap, inside.front(), range_of(grounds_.covering(0), loops, 0)};
     node.at_second = place_beside(grounds_, inside.front());
     node.range_second = range_of(grounds_.covering(1), loops, 1);
-    for (size_t axis = 0; axis < 2; ++axis) { // to rounding, and to the tolerance
+    for (size_t axis = 0; axis < 2; ++axis) { // places may be outside by rounding, and by the tolerance
         include(node.range[axis], node.at[axis]);
         include(node.range_second[axis], node.at_second[axis]);
     }
@@ -100,7 +101,7 @@ void RegionBranches::add_loop(const SharedLoop &loop, int64_t level) {
     ++loops_;
 }
 
-// Also once around a periodic axis.
+// Whether a curve closes without a node, possibly by running once around a periodic axis.
 bool RegionBranches::goes_on_in_itself(const SharedCurve &curve) const {
     for (size_t k = 0; k < 2; ++k) {
         const std::vector<double> from = eval::end_point(*curve.on[k], false),
@@ -115,7 +116,7 @@ bool RegionBranches::goes_on_in_itself(const SharedCurve &curve) const {
     return true;
 }
 
-// In one node, or across a seam in two.
+// Joins two curves in one node or, across a seam, in two.
 void RegionBranches::join(const SharedCurve &before, const SharedCurve &after, int64_t level, int64_t &end,
                           int64_t &begin) {
     const bool seam = passes_seam(before, after);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regions that two faces share as branches and nodes of a meet.
+// Regions that two faces share, as branches and nodes of a meet.
 #pragma once
 
 #include "face/meets/shared_curve.h"
@@ -9,14 +9,16 @@
 
 namespace nrb::face {
 
+// Adds regions, and edges beside them, to a meet.
 class RegionBranches {
 public:
     RegionBranches(const SharedGrounds &grounds, intersect::Meet &meet) : grounds_(grounds), meet_(meet) {}
 
-    // Loops with the region to their left in the domain of the first surface, and the node of the region. Throws
-    // Status::not_converged where it is too thin for a place inside to be found, or there is none beside that.
+    // Adds the border of a region as branches, with the region to their left in the domain of the first
+    // surface, and the node of the region. Throws Status::not_converged if the region is so thin that no
+    // place inside is found, or if the other surface is not there at that place.
     void add_region(const SharedLoops &loops, int64_t level);
-    // What two borders have in common.
+    // Adds a curve along which two borders coincide.
     void add_edge(const SharedCurve &curve);
 
 private:

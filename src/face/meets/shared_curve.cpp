@@ -18,7 +18,7 @@ namespace nrb::face {
 
 namespace {
 
-// Of the tolerance: what curves that are made on the other surface may miss.
+// The precision of curves that are made on the other surface, as a share of the tolerance.
 constexpr double share_of_precision = 1.0 / 8;
 
 Point2 end_place(const Spline &curve, bool upper) {
@@ -56,7 +56,7 @@ SharedGrounds::SharedGrounds(const std::array<SplinePtr, 2> &surfaces,
 
 SharedLoop SharedGrounds::over(size_t k, const SplinePtr &curve) const {
     std::vector<SplinePtr> parts = seam_parts(coverings_[k], refine::clamp_ends(curve, 0));
-    if (parts.empty()) { // it is beyond the domain by more than rounding
+    if (parts.empty()) { // the curve leaves the domain by more than rounding
         parts.push_back(refine::clamp_ends(curve, 0));
     }
     SharedLoop result;
@@ -66,7 +66,7 @@ SharedLoop SharedGrounds::over(size_t k, const SplinePtr &curve) const {
     return result;
 }
 
-// Of a curve in the domain, cut again where the other surface closes.
+// Adds the parts of a curve in the domain of surface k, cut where the other surface closes.
 void SharedGrounds::add_over(size_t k, const SplinePtr &own, SharedLoop &result) const {
     const size_t other = 1 - k;
     const double precision = share_of_precision * tolerance_;
@@ -92,7 +92,7 @@ void SharedGrounds::add_over(size_t k, const SplinePtr &own, SharedLoop &result)
     }
 }
 
-// By the hull of control points, of which one is moved.
+// As a single control point moves, no point of the curve moves farther than that (convex hull property).
 void SharedGrounds::set_start(SharedCurve &curve, const SharedCurve &before) const {
     const std::vector<double> at = eval::end_point(*curve.space, false),
                               to_point = eval::end_point(*before.space, true);
@@ -100,7 +100,7 @@ void SharedGrounds::set_start(SharedCurve &curve, const SharedCurve &before) con
     for (size_t k = 0; k < 2; ++k) {
         const Point2 start = end_place(*curve.on[k], false),
                      to = coverings_[k].nearest_copy(end_place(*before.on[k], true), start);
-        if (coverings_[k].pole_near(at.data(), near_).axis >= 0) { // where curves meet at any parameters
+        if (coverings_[k].pole_near(at.data(), near_).axis >= 0) { // curves meet there at any parameters
             continue;
         }
         curve.on[k] = with_end(curve.on[k], false, to, infinity);

@@ -39,7 +39,8 @@ FacePtr SharedParts::face_of(const SharedGrounds &grounds, size_t k, const Share
     return std::make_shared<const Face>(std::move(parts), nullptr);
 }
 
-// Loops of regions come first: where a curve of the face runs along one, that is known on both surfaces.
+// The loops of regions come first: where a curve of the face runs along one of them, the curve of the region
+// is used, which is known on both surfaces.
 SharedParts::SharedParts(const SharedGrounds &grounds, size_t k, const Face &face,
                          std::vector<SharedLoops> regions)
     : grounds_(grounds), k_(k), regions_(std::move(regions)) {
@@ -115,7 +116,7 @@ std::vector<SharedCurve> SharedParts::edges() const {
     const auto has = [&](const Arrangement::Edge &edge, int32_t owner) {
         return std::ranges::any_of(edge.members, [&](const auto &own) { return owner_of(own) == owner; });
     };
-    // Those against the cuts in falling order, so that runs go on.
+    // Edges against the direction of their cuts come last and in descending order, so that runs continue.
     std::vector<DirectedEdge> along = inside_->outer_edges([&](const Arrangement::Edge &edge) {
         return has(edge, owner_face) && has(edge, owner_regions) && !edge.in_a_point;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a face has inside of regions that its surface shares with another one.
+// The parts of a face inside of regions that its surface shares with another surface.
 #pragma once
 
 #include "face/arrange/inside_parts.h"
@@ -10,18 +10,20 @@
 
 namespace nrb::face {
 
-// In the domain of one of two surfaces that are one: loops of a face of it, and of regions.
+// Arranges the loops of a face and of shared regions in the domain of one of two surfaces that coincide.
 class SharedParts {
 public:
-    // Loops have regions to their left in the domain of surface k. Throws Status::gap for a face with gaps, not_converged where
-    // regions lie on each other, or rounding would have to decide what is inside.
+    // Loops have the regions to their left in the domain of surface k. Throws Status::gap for a face with
+    // gaps, not_converged where regions lie on each other, or rounding would have to decide what is inside.
     SharedParts(const SharedGrounds &grounds, size_t k, const Face &face, std::vector<SharedLoops> regions);
 
-    // What is in both, each part in one piece, with loops that have it to their left.
+    // The connected parts of what is in the face and in a region, as loops that have it to their left. Throws
+    // what check_area() throws.
     [[nodiscard]] std::vector<SharedLoops> parts() const;
-    // Where curves of both run along each other, and there is nothing that is in both beside; as those of the face.
+    // Curves along which borders of both coincide, without anything beside them that is in both. They have
+    // the direction of the loops of the face.
     [[nodiscard]] std::vector<SharedCurve> edges() const;
-    // The parts as faces of surface k. Throws what check_area() does.
+    // A part as a face of surface k. Throws what the constructor of a face throws.
     [[nodiscard]] static FacePtr face_of(const SharedGrounds &grounds, size_t k, const SharedLoops &loops);
 
 private:
@@ -36,7 +38,7 @@ private:
     size_t k_;
     std::vector<SharedLoops> regions_;
     std::vector<ArrangedLoop> loops_;
-    std::vector<std::optional<Source>> sources_; // of the loops
+    std::vector<std::optional<Source>> sources_; // for each loop; none for loops of the face
     std::optional<Arrangement> arrangement_;
     std::optional<InsideParts> inside_;
 };

@@ -24,11 +24,11 @@ namespace {
 
 constexpr int64_t all_pairs = std::numeric_limits<int64_t>::max() / 2; // work is limited
 
-// The surface of a face, or a curve of its boundary.
+// A stratum of a face: its surface, or a curve of its boundary.
 struct Stratum {
     const Spline *spline;
     const BoundaryCurve *curve;    // null: the surface
-    const closest::Region *region; // of the surface
+    const closest::Region *region; // of a surface
     const double *lower, *upper;   // of a box [dim]
 };
 
@@ -37,14 +37,14 @@ struct FoundPlace {
     std::vector<double> point;
 };
 
-// A face, and what nearest points may lie on.
+// The strata of a face on which nearest points may lie.
 class Strata {
 public:
     explicit Strata(const Face &face)
         : face_(face), region_(face), edges_(space_edges(face)),
           box_(bounds::bounding_box(*face.surface(), whole_domain(*face.surface()), infinity)) {
         for (const SpaceEdge &edge : edges_.all) {
-            if (!edge.curve.at_end) { // ends of the domain are looked at with the surface
+            if (!edge.curve.at_end) { // ends of the domain are searched with the surface
                 all_.push_back(
                     {edge.curve.space.get(), &edge.curve, nullptr, edge.lower.data(), edge.upper.data()});
             }
@@ -54,7 +54,7 @@ public:
 
     [[nodiscard]] const std::vector<Stratum> &all() const noexcept { return all_; }
     [[nodiscard]] bool exact() const noexcept { return edges_.exact; }
-    // Of a place that a search found.
+    // The place in the face of a place on a stratum that a search found.
     [[nodiscard]] FoundPlace found(const Stratum &stratum, const std::array<double, max_axes> &params,
                                    const std::array<bool, max_axes> &left) const {
         return stratum.curve == nullptr
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] FoundPlace any() const { return at(place_of(face_, edges_), {false, false}); }
 
 private:
-    // left: whether the limit from below is meant.
+    // left: for each axis, whether the limit from below is meant.
     [[nodiscard]] FoundPlace at(const Point2 &place, const std::array<bool, 2> &left) const {
         eval::AxisRules rules;
         rules[0].left = left[0];
@@ -84,7 +84,7 @@ private:
 };
 
 struct StrataPair {
-    double at_least; // proven of their distance
+    double at_least; // a proven bound on their distance
     const Stratum *a, *b;
 };
 
@@ -101,13 +101,14 @@ std::vector<StrataPair> pairs_of(const Strata &a, const Strata &b, int dim) {
     return pairs;
 }
 
+// Branch and bound over pairs of strata.
 class SmallestSearch {
 public:
     SmallestSearch(const Face &a, const Face &b, double tolerance)
         : a_(a), b_(b), dim_(a.surface()->dim()), tolerance_(tolerance) {}
 
-    // Some points come first: so there is an answer at the limit of work. All pairs are looked at briefly before one of them takes
-    // long, since what is found in others may end it.
+    // Begins with some point of each face, so that there is an answer at the limit of work. All pairs are
+    // searched briefly before one of them takes long, since what is found in others may exclude it.
     FaceDistance run() {
         settle(a_.any(), b_.any());
         if (!std::isfinite(found_.at_most)) {
@@ -140,8 +141,8 @@ private:
             }
         }
     }
-    // boundaries: by pieces of both surfaces alone, which come near the boundary by halving, in many steps; else what is nearest
-    // inside of both.
+    // boundaries: whether nearest points on boundaries count, too. Then the pieces of both surfaces approach
+    // the boundary by halving, in many steps. Else only nearest points inside of both are searched for.
     void search(StrataPair &pair, int64_t budget, bool boundaries) {
         const closest::PairDistance own =
             closest::pair_distance(*pair.a->spline, *pair.b->spline, tolerance_, budget,
@@ -152,7 +153,8 @@ private:
             settle(a_.found(*pair.a, own.params_a, own.left_a), b_.found(*pair.b, own.params_b, own.left_b));
         }
     }
-    // The distance of the places, which is what others are compared with.
+    // Keeps two places if they are the nearest so far; their computed distance is what others are compared
+    // with.
     void settle(const FoundPlace &a, const FoundPlace &b) {
         const double away = distance(a.point.data(), b.point.data(), dim_);
         if (away < found_.at_most) {
@@ -174,7 +176,7 @@ bool same_curves(const Loop &a, const Loop &b) {
     });
 }
 
-// Bit for bit, as of a copy.
+// Whether they are the same bit for bit, as copies are.
 bool same_faces(const Face &a, const Face &b) {
     return &a == &b || (same_numbers(*a.surface(), *b.surface()) && a.joints().empty() &&
                         b.joints().empty() && std::ranges::equal(a.loops(), b.loops(), same_curves));

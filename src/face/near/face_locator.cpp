@@ -24,13 +24,13 @@ closest::Foot nearest_of(const Spline &spline, const double *point, double toler
 
 } // namespace
 
-// The limit from below at a jump is no point of the face if the boundary runs there.
+// Where the surface jumps along the boundary, the limit from below is no point of the face.
 int FaceLocator::side(const closest::Foot &foot) const noexcept {
     const int side = face_.trims().side({foot.params[0], foot.params[1]});
     return side == 0 && foot.left != 0 ? -1 : side;
 }
 
-// Where the boundary begins. Precondition: edges_ are known, and not empty.
+// The point at which the boundary begins. Precondition: edges_ are known.
 closest::Foot FaceLocator::any_foot(const double *point) const {
     const Spline &surface = *face_.surface();
     const Point2 place = place_of(face_, *edges_);
@@ -43,7 +43,7 @@ closest::Foot FaceLocator::any_foot(const double *point) const {
     return foot;
 }
 
-// The nearest box first, so that most of the others need no search.
+// Edges with near boxes come first, so that most of the others need no search.
 FaceLocator::Found FaceLocator::on_edges(const double *point, double tolerance) {
     if (!edges_) {
         edges_ = space_edges(face_);
@@ -92,8 +92,8 @@ closest::BoundedFoot FaceLocator::nearest(const double *point, double tolerance,
     return {foot, std::max(at_least, bound(foot))};
 }
 
-// The nearest point is on the boundary, or it is a local minimum of the surface that is nearer. Minima for which rounding would
-// have to say whether they are inside are as near as the boundary.
+// The nearest point is on the boundary, or it is a local minimum of the surface that is inside and nearer. A
+// minimum that is inside or outside only by rounding is on the boundary, and so no nearer than that.
 closest::Foot FaceLocator::nearest_inside(const double *point, double tolerance, const closest::Foot &least) {
     const Found edge = on_edges(point, tolerance);
     closest::Foot best = edge.foot;

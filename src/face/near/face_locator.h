@@ -10,15 +10,17 @@
 
 namespace nrb::face {
 
-// Of the surface, if its nearest point lies inside; else of the boundary, and of local minima inside that are nearer. Calls with
-// one point after the other; the face has to stay.
+// Finds nearest points of a face. If the nearest point of its surface lies inside, it is that one. Else it is
+// the nearest of the points of the boundary, and of the local minima of the distance that lie inside. Only
+// one call at a time; the face must outlive this.
 class FaceLocator {
 public:
     explicit FaceLocator(const Face &face) noexcept : face_(face) {}
 
-    // point: [dim], finite. tolerance: how much nearer another point may be. Status: closest_ bits; closest_boundary is that of the
-    // face. Where the whole surface is farther than `far` for certain its foot is the answer, inside or not. At the limit of work
-    // it is some place of the face.
+    // point: [dim], finite. tolerance: how much nearer another point may be. The status has closest_ bits;
+    // closest_boundary is for the boundary of the face. If the whole surface is proven to be farther than
+    // `far`, its foot is the answer, inside or not. At the limit of work the answer is some place of the
+    // face.
     [[nodiscard]] closest::BoundedFoot nearest(const double *point, double tolerance, double far = infinity);
 
 private:
@@ -33,7 +35,7 @@ private:
     [[nodiscard]] int side(const closest::Foot &foot) const noexcept;
 
     const Face &face_;
-    std::optional<SpaceEdges> edges_; // when they are first asked for
+    std::optional<SpaceEdges> edges_; // made when they are needed
 };
 
 } // namespace nrb::face

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A face as a region of its surface.
+// A face as a region of its surface, for searches over pieces of the surface.
 #pragma once
 
 #include "closest/pair/region.h"
@@ -9,7 +9,7 @@ namespace nrb::face {
 
 class FaceRegion final : public closest::Region {
 public:
-    // The face has to stay.
+    // The face must outlive this.
     explicit FaceRegion(const Face &face) : face_(face), locator_(face) {}
 
     [[nodiscard]] int side(const pieces::LocalParam &params) const override {

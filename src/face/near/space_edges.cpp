@@ -19,8 +19,9 @@ double SpaceEdge::distance(const double *box_lower, const double *box_upper) con
 
 namespace {
 
-// Whether a curve of the domain has a coordinate all along at which the surface jumps: one of the two limits is meant, and the curve
-// in space has the other one.
+// Whether the surface jumps along a curve of the domain, because one of its coordinates is constant and equal
+// to a knot at which the surface jumps. The face ends with one of the two limits, and the curve in space may
+// be the other one.
 bool follows_jump(const Spline &surface, const Spline &curve) {
     for (int k = 0; k < 2; ++k) {
         const KnotVector &axis = surface.axis(k);

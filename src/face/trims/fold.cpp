@@ -8,13 +8,15 @@ namespace nrb::face {
 
 namespace {
 
-// Places at which a piece passes ends of copies along an axis, with the coordinate there.
+// A place at which a piece crosses an end of a copy of the domain along an axis, and the coordinate there.
 struct Cut {
     double place;
     int axis;
     double value;
 };
 
+// Moves pieces into the domain one after the other, and counts the crossings of the seam of axis 1 on the
+// way.
 class Folder {
 public:
     Folder(const TrimPieces &plane, const Covering &covering, bool closes) noexcept
@@ -35,13 +37,13 @@ public:
     }
 
 private:
-    // The copy of the domain, along an axis, that holds the middle of an interval.
+    // Which copy of the domain, along an axis, contains the middle of an interval.
     [[nodiscard]] double copy_of(int k, double a, double b) const noexcept {
         return covering_.closed(k)
                    ? std::floor((a / 2 + b / 2 - covering_.domain(k).lower) / covering_.period(k))
                    : 0;
     }
-    // The end between two copies, the same number from both sides.
+    // The lower end of a copy, and the upper end of the one before it: the same number for both.
     [[nodiscard]] double border(int k, double copy) const noexcept {
         return covering_.domain(k).lower + copy * covering_.period(k);
     }
@@ -102,7 +104,7 @@ private:
         copy_ = copy[1];
         result_.pieces.add_part(plane_, piece, part, moved_start, moved_end, move);
     }
-    // The ends of copies become those of the domain, bit for bit.
+    // Maps ends of copies to the ends of the domain, bit for bit.
     [[nodiscard]] double moved(int k, double x, double copy) const noexcept {
         if (!covering_.closed(k)) {
             return x;
@@ -119,7 +121,7 @@ private:
             result_.passages.push_back({at, upwards, loop});
         }
     }
-    // Back to where the loop began, up to periods that it went around.
+    // The crossings on the way back to where the loop began, less the periods by which it went around.
     void close(size_t first, size_t end) {
         if (closes_ && first < end && covering_.closed(1)) {
             const auto &all = plane_.all();

@@ -12,8 +12,9 @@ namespace nrb::face {
 
 namespace {
 
-// The integral of u dv over a part of a piece, u counted from its start, as far as a rule is off by an estimate. On pieces both parameters run
-// one way: it is between 0 and the product of their steps, whatever the weights.
+// The integral of u dv over a part of a piece, with u counted from the start of the part, and an estimate of
+// its error. As both coordinates are monotone, the integral lies between 0 and the product of their steps,
+// whatever the weights.
 struct PartArea {
     double area = 0, off = 0;
 };
@@ -44,7 +45,8 @@ PartArea by_rule(const TrimPieces &pieces, const TrimPiece &piece, const PiecePa
     return {decay.integral, decay.error(std::abs(part.box()))};
 }
 
-// Halved where weights make the rule miss more than rounding does, as far as there is anything to miss.
+// Halves a part where, because of its weights, the rule is off by more than `room`, unless the whole box of
+// the part is no larger than that.
 PartArea weighted_area(const TrimPieces &pieces, const TrimPiece &piece, const PiecePart &part, double room) {
     constexpr int level = 3;
     const double most = std::abs(part.box());
@@ -64,7 +66,7 @@ PartArea weighted_area(const TrimPieces &pieces, const TrimPiece &piece, const P
     return {a.area + first.width() * second.height() + b.area, a.off + b.off};
 }
 
-// What places of a piece that are off by their noise make of its area.
+// The error of an area by the noise of the coordinates of a piece.
 double rounding_of(const TrimPiece &piece) noexcept {
     return piece.noise[0] * std::abs(piece.end[1] - piece.start[1]) +
            piece.noise[1] * std::abs(piece.end[0] - piece.start[0]);

@@ -18,7 +18,7 @@ bool runs_one_way(std::span<const double> values) noexcept {
     return std::is_sorted(values.begin(), values.end()) || std::is_sorted(values.rbegin(), values.rend());
 }
 
-// Places where the derivative of a coordinate changes its sign.
+// Appends the places where the derivative of a coordinate changes its sign.
 void append_turns(const RoundedPolynomial &derivative, std::vector<double> &places) {
     int before = 0;
     double hidden = 0;
@@ -35,12 +35,14 @@ void append_turns(const RoundedPolynomial &derivative, std::vector<double> &plac
     }
 }
 
-// Where the coordinates of a curve turn. What that takes is linear in all knots, and made for the first span that may turn.
+// Finds where the coordinates of a curve turn. The pieces that this takes cost time that is linear in the
+// number of knots; they are made when a span needs them for the first time.
 class Turns {
 public:
     explicit Turns(const Spline &curve) noexcept : curve_(curve) {}
 
-    // The places between which both coordinates of a span, the one of this number, run one way, 0 and 1 among them.
+    // The places of a span, with 0 and 1, between which both coordinates are monotone. number: of the span,
+    // among those that are not empty.
     std::vector<double> places(const refine::CurvePiece &span, int64_t number) {
         std::vector<double> places{0};
         std::optional<RoundedPolynomial> derivatives;
@@ -70,6 +72,7 @@ private:
     std::optional<pieces::PieceMaker> maker_;
 };
 
+// Appends the monotone pieces of curves one after the other, and segments in the gaps between them.
 class LoopPieces {
 public:
     LoopPieces(int32_t number, TrimPieces &out) noexcept : number_(number), out_(out) {}
@@ -113,7 +116,7 @@ private:
         }
         behind_ = {curve_, range.upper};
     }
-    // What rounding alone sets apart.
+    // Whether rounding may account for the distance of two places.
     static bool is_one_place(const Point2 &x, const Point2 &y, const TrimPiece &piece) noexcept {
         return std::abs(x[0] - y[0]) <= 2 * piece.noise[0] && std::abs(x[1] - y[1]) <= 2 * piece.noise[1];
     }
@@ -175,10 +178,10 @@ private:
     int32_t number_;
     TrimPieces &out_;
     int32_t curve_ = 0;
-    CurvePlace behind_; // what was added
+    CurvePlace behind_; // the end of what was added last
     bool begun_ = false;
     Point2 first_{}, last_{};
-    std::optional<Point2> goal_; // of a curve by itself
+    std::optional<Point2> goal_; // the end of a single curve
     std::vector<Joint> joints_;
 };
 

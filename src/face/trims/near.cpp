@@ -14,10 +14,10 @@ namespace nrb::face {
 
 namespace {
 
-constexpr double decided = 1e-6; // of the distance
+constexpr double decided = 1e-6; // in units of the distance
 constexpr int max_depth = 60;
 
-// Coefficients about the place, (u, v, w), of a part of a piece.
+// A part of a piece by its homogeneous control points, with the place x as the origin: (u w, v w, w).
 struct Part3 {
     int degree;
     std::array<double, 3 * max_basis> values;
@@ -42,7 +42,7 @@ Part3 about(const TrimPieces &pieces, const TrimPiece &piece, const Point2 &x) {
     return result;
 }
 
-// The square of the distance from a segment.
+// The squared distance of the origin from a segment.
 double from_segment(const Metric &metric, const Point2 &a, const Point2 &b) noexcept {
     const double u = b[0] - a[0], v = b[1] - a[1], length = metric.squared(u, v);
     const double along = metric.uu * a[0] * u + metric.uv * (a[0] * v + a[1] * u) + metric.vv * a[1] * v;
@@ -50,7 +50,7 @@ double from_segment(const Metric &metric, const Point2 &a, const Point2 &b) noex
     return metric.squared(a[0] + t * u, a[1] + t * v);
 }
 
-// The part is no farther from its chord than its control points are.
+// By the convex hull property, the part is no farther from its chord than its control points are.
 bool near_part(const Metric &metric, Part3 &part, int depth) {
     const Point2 first = part.point(0), last = part.point(part.degree);
     const double chord = std::sqrt(from_segment(metric, first, last));

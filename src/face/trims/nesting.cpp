@@ -35,8 +35,8 @@ int Nesting::around(size_t i) const {
     return sum;
 }
 
-// Whether what is at loop i would be inside without it. Loops of which nothing is passed go around it if they go around the
-// corner.
+// Whether the places at loop i would be inside without that loop. A loop that the ray does not cross encloses
+// them if it encloses the corner.
 bool Nesting::enclosed(size_t i) const {
     bool inside = (corner_ + around(i) > 0) != odd_;
     inside = inside != (outside_[i] != 0);

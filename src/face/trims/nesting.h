@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which loops lie in which, and how they have to run.
+// Which loops lie inside which, and how they have to run.
 #pragma once
 
 #include "face/trims/loop_shape.h"
@@ -9,11 +9,13 @@
 
 namespace nrb::face {
 
-// Loops in an even number of others enclose what is inside, and those in an odd number what is not; where loops run around an
-// axis, these say what is inside before the others.
+// The even-odd rule: a loop inside an even number of others encloses the inside, and one inside an odd number
+// a hole. Loops that run around an axis are not turned; they say first what is inside, before others are
+// counted.
 class Nesting {
 public:
-    // left: what is passed of each loop from the left side of loop i on; the last entry is of loop i itself.
+    // left: for each loop i, the crossings of all loops by the ray from its left side to the corner
+    // (TrimMap); the last entry is that of loop i itself.
     Nesting(const std::vector<LoopShape> &loops, const std::vector<PassedSums> &left);
 
     [[nodiscard]] std::vector<bool> loops_to_turn() const;
@@ -25,9 +27,9 @@ private:
 
     const std::vector<LoopShape> &loops_;
     const std::vector<PassedSums> &left_;
-    std::vector<int> outside_; // what is passed of each loop from places that it does not go around
-    int corner_ = 0;           // whether the corner is inside by the loops around axes
-    bool odd_ = false;         // whether an odd number of the others go around the corner
+    std::vector<int> outside_; // crossings of each loop by rays from places that it does not enclose
+    int corner_ = 0;           // whether the corner is inside, by the loops around axes alone
+    bool odd_ = false;         // whether an odd number of the other loops enclose the corner
 };
 
 } // namespace nrb::face

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is passed of loops on a way through a domain.
+// Signed crossings of loops by a ray through a domain.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@ struct PassedSum {
     int value;
     friend bool operator==(const PassedSum &, const PassedSum &) = default;
 };
-using PassedSums = std::vector<PassedSum>; // of the loops of which something was passed
+using PassedSums = std::vector<PassedSum>; // of the loops that were crossed
 
-// Sorted, with one entry for each loop.
+// Sorted by loops, with one entry for each loop.
 PassedSums summed(PassedSums sums);
 
 } // namespace nrb::face

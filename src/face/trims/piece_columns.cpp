@@ -11,9 +11,10 @@ namespace nrb::face {
 
 namespace {
 
-// Items for each piece, at most, that columns may take: pieces that are as wide as the domain lie in all of them.
+// Pieces are stored in buckets, which are strips of the domain along axis 0. A piece as wide as the domain is
+// in all of them. There are so few buckets that they hold at most this many items per piece.
 constexpr double most_items = 16;
-// Places of a loop at which its left side is looked for before it counts as hidden by others.
+// How many places of a loop are tried, for each k, to find its left side before it counts as lying on others.
 constexpr int most_probes = 16;
 
 } // namespace
@@ -56,7 +57,7 @@ size_t PieceColumns::bucket(double u) const noexcept {
 void PieceColumns::fill_buckets() {
     const auto &all = pieces_.all();
     const auto n = static_cast<double>(all.size());
-    double widths = 0; // in domains
+    double widths = 0; // as shares of the domain
     for (const TrimPiece &piece : all) {
         widths += (piece.upper[0] - piece.lower[0]) / covering_->period(0);
     }
@@ -89,7 +90,7 @@ std::optional<PassedSums> PieceColumns::sums(const Point2 &x, size_t except) con
     return summed(std::move(passed));
 }
 
-// None where another piece is as near, along axis k, as rounding may move both: by that it may lie on the wrong side.
+// None where another piece is so near along axis k that rounding may put it on the wrong side.
 std::optional<PassedSums> PieceColumns::sums_away_from_others(const Point2 &x, size_t except,
                                                               size_t k) const {
     auto found = sums(x, except);
@@ -106,7 +107,7 @@ std::optional<PassedSums> PieceColumns::sums_away_from_others(const Point2 &x, s
 }
 
 std::optional<PassedSums> PieceColumns::sums_left_of(int32_t loop) const {
-    for (const size_t k : {size_t{0}, size_t{1}}) { // loops that stay in a column may go around axis 1
+    for (const size_t k : {size_t{0}, size_t{1}}) { // a loop that stays in one column may go around axis 1
         const std::vector<size_t> own = longest_pieces(loop, k);
         for (int probe = 0; probe < most_probes && !own.empty(); ++probe) {
             const size_t i = own[static_cast<size_t>(probe) % own.size()];
@@ -119,7 +120,7 @@ std::optional<PassedSums> PieceColumns::sums_left_of(int32_t loop) const {
     return std::nullopt;
 }
 
-// The pieces of a loop follow one another.
+// The pieces of a loop are consecutive, and loops ascend.
 std::vector<size_t> PieceColumns::longest_pieces(int32_t loop, size_t k) const {
     const auto &all = pieces_.all();
     const auto first = std::lower_bound(all.begin(), all.end(), loop,
@@ -136,8 +137,8 @@ std::vector<size_t> PieceColumns::longest_pieces(int32_t loop, size_t k) const {
     return own;
 }
 
-// At a share of a piece along axis k. What is passed from a place in the column of an upright piece is what is passed from the
-// right side of it.
+// At a share of piece i along axis k. The ray from a place in the column of a vertical piece crosses what the
+// ray from its right side crosses.
 std::optional<PassedSums> PieceColumns::sums_left_of(size_t i, size_t k, double share) const {
     const TrimPiece &piece = pieces_.all()[i];
     const double at = piece.lower[k] + share * (piece.upper[k] - piece.lower[k]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces found by the columns of a domain that they lie in, and what is passed of them on the way up.
+// The pieces that lie in the columns of a domain, and how rays upwards cross them.
 #pragma once
 
 #include "face/trims/fold.h"
@@ -11,8 +11,9 @@
 
 namespace nrb::face {
 
-// A piece that is passed upwards says by its direction from which side it is passed: the value below a piece that runs to
-// larger x[0] is 1 less than the one above it.
+// Finds pieces by their columns, the vertical lines of the domain, and sums up the crossings of rays. A ray
+// that crosses a piece upwards adds 1 or -1, depending on the direction of the piece: the value below a piece
+// that runs to larger x[0] is 1 less than the value above it.
 class PieceColumns {
 public:
     static constexpr size_t none = std::numeric_limits<size_t>::max();
@@ -25,7 +26,8 @@ public:
     [[nodiscard]] const Point2 &room() const noexcept { return room_; }
     static int passed(const TrimPiece &piece) noexcept { return piece.start[0] < piece.end[0] ? -1 : 1; }
 
-    // Calls visit(piece) for the pieces whose boxes meet a box of the domain, some of them more than once, until it is true.
+    // Calls visit(piece) for the pieces whose boxes meet a box of the domain, until it returns true. Some
+    // pieces are visited more than once.
     template <class Visit>
     bool any_in(const Point2 &lower, const Point2 &upper, Visit &&visit) const {
         for (size_t b = bucket(lower[0]); b <= bucket(upper[0]); ++b) {
@@ -40,7 +42,7 @@ public:
         }
         return false;
     }
-    // Calls visit(piece) for the pieces that a column meets, to the right of it where it passes an end.
+    // Calls visit(piece) for the pieces in a column; where pieces end in the column, for those to its right.
     template <class Visit>
     void in_column(double u, Visit &&visit) const {
         const size_t b = bucket(u);
@@ -50,9 +52,10 @@ public:
             }
         }
     }
-    // Calls add(loop, passed) for what is passed on the way from x up, and to the corner where both axes end; true if x lies on a
-    // piece, to rounding. The columns of a piece reach from its left end to before its right one, so that each column meets one of
-    // two neighbours that go on.
+    // Follows the ray from x up and on to the corner at which both axes end, and calls add(loop, passed) for
+    // each crossing. Returns whether x lies on a piece, to rounding. except: a piece that is left out. A
+    // piece lies in the columns from its left end, included, to its right end, excluded: where a piece
+    // continues another one, a column through their common end crosses only one of the two.
     template <class Add>
     bool walk(const Point2 &x, size_t except, Add &&add) const {
         bool on = false;
@@ -80,14 +83,15 @@ public:
         }
         return on;
     }
-    // What is passed from the left side of a loop on, at some place of it; none if it lies on others everywhere.
+    // The crossings of the ray from the left side of a loop, at some place of the loop; none if all places
+    // that are tried lie on other loops.
     [[nodiscard]] std::optional<PassedSums> sums_left_of(int32_t loop) const;
 
 private:
     struct Item {
         Point2 lower, upper;
         uint32_t piece;
-        int32_t passed; // what passing it upwards adds: -1 for a piece that runs to larger x[0]
+        int32_t passed; // what crossing it upwards adds: -1 for a piece that runs to larger x[0]
     };
 
     void fill_buckets();
@@ -97,7 +101,7 @@ private:
     [[nodiscard]] std::optional<PassedSums> sums_away_from_others(const Point2 &x, size_t except,
                                                                   size_t k) const;
     [[nodiscard]] std::optional<PassedSums> sums_left_of(size_t i, size_t k, double share) const;
-    // Of a loop, those that are upright (k = 1) or not (k = 0), the longest along axis k first.
+    // The pieces of a loop that are vertical (k = 1) or not (k = 0), the longest along axis k first.
     [[nodiscard]] std::vector<size_t> longest_pieces(int32_t loop, size_t k) const;
 
     TrimPieces pieces_;

@@ -46,7 +46,7 @@ std::optional<int> TrimMap::sum(const Point2 &x, bool &on) const noexcept {
     const auto add = [&](int32_t loop, int passed) {
         value += turned_[static_cast<size_t>(loop)] ? -passed : passed;
     };
-    // The other end of a closed axis is the same place.
+    // Both ends of a closed axis are the same place.
     for (const int k : {0, 1}) {
         const Interval domain = covering_->domain(k);
         double &coordinate = at[static_cast<size_t>(k)];
@@ -85,8 +85,9 @@ void TrimMap::orient(const std::vector<LoopShape> &loops, bool turn, bool astray
     }
 }
 
-// Where a surface closes, a loop may run along both sides of its seams, as that of all of a torus does, or two may run around it in
-// one place, as those of a torus do that is cut open. No face that hangs together has more of them.
+// Where a surface closes, a loop may run along both sides of its seams, as the loop of a whole torus does; or
+// two loops around an axis may coincide, as those of a torus that is cut open do. A connected face has no
+// more such loops.
 std::vector<std::optional<PassedSums>> TrimMap::checked_sums(const std::vector<LoopShape> &loops) const {
     const bool closed = covering_->closed(0) || covering_->closed(1);
     int alone = closed ? 1 : 0, around = closed ? 2 : 0;
@@ -110,10 +111,13 @@ void TrimMap::turn_loops(std::vector<LoopShape> loops, const std::vector<std::op
     turned_ = Nesting(loops, left).loops_to_turn();
 }
 
-// What is passed says how much values differ. Loops that run along each other, as both sides of a seam do, leave slivers between
-// them, so that what holds over most of the columns decides, where what is around the surface does not.
+// Crossings give differences of values only; this sets the value at the corner. Loops that run along each
+// other, as on both sides of a seam, leave slivers between them by rounding. Therefore the two consecutive
+// values that hold over most of the sample columns become 0 and 1. If one value alone holds nearly
+// everywhere, it is the slivers that decide whether that is 1, but only where is_told_by_around(); else
+// mostly_inside() decides.
 void TrimMap::set_corner(const std::vector<LoopShape> &loops, bool astray) {
-    constexpr double sliver = 0x1p-20, most_astray = 0x1p-7; // of all columns
+    constexpr double sliver = 0x1p-20, most_astray = 0x1p-7; // of all columns together
     corner_ = 0;
     Heights heights;
     for (const double u : probe_columns()) {
@@ -140,14 +144,14 @@ void TrimMap::set_corner(const std::vector<LoopShape> &loops, bool astray) {
     }
 }
 
-// Loops that run around have the inside to their left, however little that is. Two of them in one place cut a surface open that closes
-// along both axes.
+// Whether slivers decide: loops that run around an axis have the inside to their left, however thin it is.
+// But two of them in one place may just cut open a surface that closes along both axes.
 bool TrimMap::is_told_by_around(const std::vector<LoopShape> &loops) const {
     const auto around = std::ranges::count_if(loops, &LoopShape::around);
     return around % 2 == 1 || (around > 0 && !(covering_->closed(0) && covering_->closed(1)));
 }
 
-// Names a loop that has its right side where others have the left one, if there is one.
+// Names a loop whose left side is not inside, if there is one.
 void TrimMap::fail_astray() const {
     for (int32_t loop = 0; loop < static_cast<int32_t>(turned_.size()); ++loop) {
         const bool turned = turned_[static_cast<size_t>(loop)];
@@ -163,8 +167,8 @@ void TrimMap::fail_astray() const {
     fail(Status::orientation, "the loops go around some places twice: they cross or coincide");
 }
 
-// Where one value holds nearly everywhere: whether loops that do not run around enclose more than half of the domain, or nothing
-// but holes.
+// For loops by which one value holds nearly everywhere: whether those that do not run around an axis enclose
+// more than half of the domain, or nothing but holes.
 bool TrimMap::mostly_inside(const std::vector<LoopShape> &loops) const {
     double area = 0;
     for (size_t i = 0; i < loops.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On which side of the loops of a face places of its domain lie.
+// On which side of the loops of a face the places of its domain lie.
 #pragma once
 
 #include "face/trims/loop_shape.h"
@@ -12,28 +12,32 @@
 
 namespace nrb::face {
 
-// Along a column of the domain, upwards from a place, each piece that is passed says by its direction from which side of its
-// loop it is passed; from the end of the column the way goes along the seam of axis 1, if there is one, to the corner where both
-// axes end. So the sum of what was passed, and the value at the corner, is 1 inside and 0 outside, also where loops run around a
-// closed axis, and there is no first loop. Pieces are found by their columns.
+// The winding number of the loops around places of the domain, by ray crossings. The ray of a place leads up
+// along its column, the vertical line through it, to the upper end of axis 1, and along that end to the
+// corner at which both axes end. If axis 1 is closed, its upper end is a seam, which loops may cross, too.
+// Each piece that the ray crosses adds 1 or -1, depending on its direction. The value at a place is the value
+// at the corner plus this sum: 1 inside, 0 outside. This also holds for loops that run around a closed axis,
+// and no loop has to be known as the outer one. Pieces are found by their columns.
 class TrimMap {
 public:
-    // The value at the corner is that for which places are 1 or 0, but for slivers. Throws Status::orientation if there is none, as
-    // far as columns through the first loops and between them tell. With `turn` loops that do not run around an axis are turned where that is needed;
-    // with `astray` the value need not be 1 or 0 anywhere.
+    // Finds the value at the corner with which all values are 1 or 0, except in slivers. Throws
+    // Status::orientation if there is none, as far as a set of sample columns shows, and for loops that
+    // enclose nothing or lie on others. With `turn`, loops that do not run around an axis are turned where
+    // that is needed; with `astray`, other values than 1 and 0 are accepted.
     TrimMap(FoldedPieces folded, const Covering &covering, const std::vector<LoopShape> &loops, bool turn,
             bool astray = false);
 
     // 1 inside, 0 on a curve to rounding, -1 outside.
     [[nodiscard]] int side(const Point2 &x) const noexcept;
-    // The sum at a place: other than 1 and 0 only where loops cross or lie in each other as those of no face. None outside of the
-    // domain, and on a curve to rounding.
+    // The value at a place. It differs from 1 and 0 only where loops cross, or contain each other as those of
+    // no face do. None outside of the domain, and on a curve to rounding.
     [[nodiscard]] std::optional<int> value(const Point2 &x) const noexcept;
     [[nodiscard]] const TrimPieces &pieces() const noexcept { return columns_.pieces(); }
     // How far, along each axis, rounding may move pieces and places.
     [[nodiscard]] const Point2 &room() const noexcept { return columns_.room(); }
     [[nodiscard]] const std::vector<SeamPassage> &passages() const noexcept { return columns_.passages(); }
-    // What the value below a piece has more than the one above it: 1, or -1 for one that runs to larger x[0].
+    // What a ray adds that crosses a piece upwards: the value below the piece less the value above it. It is
+    // 1, or -1 for a piece that runs to larger x[0], in the direction that its loop has after turning.
     [[nodiscard]] int passed(const TrimPiece &piece) const noexcept {
         const int own = PieceColumns::passed(piece);
         return turned_[static_cast<size_t>(piece.loop)] ? -own : own;
@@ -42,43 +46,44 @@ public:
     [[nodiscard]] int value_at_top(double u) const noexcept;
     // Of each loop: whether it was turned.
     [[nodiscard]] const std::vector<bool> &turned() const noexcept { return turned_; }
-    // What lies between the pieces in a column, from its upper end to its lower one, with the value there.
+    // The intervals between the pieces in a column, from its upper end to its lower end, each with its value.
     struct ColumnPart {
         Interval v;
         int value;
     };
     [[nodiscard]] std::vector<ColumnPart> parts_of_column(double u) const;
-    // Whether a piece comes into a box of the domain, to rounding.
+    // Whether a piece enters a box of the domain, to rounding.
     [[nodiscard]] bool cuts(const Point2 &lower, const Point2 &upper) const {
         return any_in(lower, upper,
                       [&](const TrimPiece &piece) { return pieces().meets(piece, lower, upper); });
     }
-    // Calls visit(piece) for the pieces that a column meets, to the right of it where it passes an end.
+    // Calls visit(piece) for the pieces in a column; where pieces end in the column, for those to its right.
     template <class Visit>
     void in_column(double u, Visit &&visit) const {
         columns_.in_column(u, std::forward<Visit>(visit));
     }
-    // Calls visit(piece) for the pieces whose boxes meet a box of the domain, some of them more than once, until it is true.
+    // Calls visit(piece) for the pieces whose boxes meet a box of the domain, until it returns true. Some
+    // pieces are visited more than once.
     template <class Visit>
     bool any_in(const Point2 &lower, const Point2 &upper, Visit &&visit) const {
         return columns_.any_in(lower, upper, std::forward<Visit>(visit));
     }
 
 private:
-    // None outside of the domain. on: becomes true if x lies on a curve, to rounding.
+    // The value at x; none outside of the domain. on: set to true if x lies on a curve, to rounding.
     [[nodiscard]] std::optional<int> sum(const Point2 &x, bool &on) const noexcept;
     void orient(const std::vector<LoopShape> &loops, bool turn, bool astray);
-    // What is passed from the left side of each loop on; none of those that lie on others. Throws Status::orientation if those are
-    // more than a face can have.
+    // For each loop, the crossings of the ray from its left side; none for a loop that lies on others. Throws
+    // Status::orientation if more loops lie on others than a face can have.
     [[nodiscard]] std::vector<std::optional<PassedSums>>
     checked_sums(const std::vector<LoopShape> &loops) const;
     void turn_loops(std::vector<LoopShape> loops, const std::vector<std::optional<PassedSums>> &found);
     void set_corner(const std::vector<LoopShape> &loops, bool astray);
     [[nodiscard]] bool is_told_by_around(const std::vector<LoopShape> &loops) const;
     [[noreturn]] void fail_astray() const;
-    // Columns through loops, and through the widest parts of the domain between ends of pieces.
+    // Columns through loops, and through the widest intervals of axis 0 in which no piece begins or ends.
     [[nodiscard]] std::vector<double> probe_columns() const;
-    // Over how much of a column each value holds.
+    // For each value, over how much of the columns it holds.
     using Heights = std::map<int, double>;
     void add_column(double u, Heights &heights) const;
     [[nodiscard]] bool mostly_inside(const std::vector<LoopShape> &loops) const;

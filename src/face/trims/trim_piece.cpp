@@ -24,14 +24,15 @@ void set_box(TrimPiece &piece) noexcept {
     }
 }
 
-// A part of a piece that still holds the column of a place.
+// Narrows down the part of a piece that contains the column of x.
 class ColumnSearch {
 public:
     ColumnSearch(const TrimPieces &pieces, const TrimPiece &piece, const Point2 &x) noexcept
         : pieces_(pieces), piece_(piece), x_(x),
           sense_(piece.start[0] < piece.end[0] ? 1 : -1), ends_{piece.start, piece.end} {}
 
-    // False position, every third step in the middle, until the part lies above or below, or is hidden by rounding.
+    // False position, with a bisection at every third step, until the part lies above or below x, or rounding
+    // hides where it lies.
     int side() noexcept {
         for (int step = 0;; ++step) {
             if (const int known = known_side(); known != 0) {
@@ -60,7 +61,7 @@ private:
         const double below = sense_ * (x_[0] - ends_[0][0]), above = sense_ * (ends_[1][0] - x_[0]);
         return places_[0] + (places_[1] - places_[0]) * (below / (below + above));
     }
-    // Cuts at t what the column certainly does not pass; false if rounding hides it.
+    // Drops the side of t on which the column certainly is not; false if rounding hides which side that is.
     bool narrow(double t) noexcept {
         const Point2 at = pieces_.point(piece_, t);
         const double ahead = sense_ * (at[0] - x_[0]);
@@ -72,7 +73,8 @@ private:
         ends_[end] = at;
         return true;
     }
-    // Cuts before and after a t in the column; false if nothing is left to cut.
+    // Where rounding hides on which side of t the column is: drops what is certainly before and after it.
+    // False if there is nothing to drop.
     bool narrow_around(double t) noexcept {
         const double height = std::abs(ends_[1][0] - ends_[0][0]);
         const double share = height > 0 ? 4 * piece_.noise[0] / height : 1;
@@ -100,7 +102,7 @@ private:
 
 } // namespace
 
-// The last step of de Casteljau's algorithm gives both.
+// The last step of de Casteljau's algorithm gives both the point and the derivative.
 TrimPieces::Jet TrimPieces::jet(const TrimPiece &piece, double place) const noexcept {
     const auto width = static_cast<size_t>(piece.weighted ? 3 : 2);
     std::array<double, max_width *(max_basis + 1)> work;
@@ -127,7 +129,8 @@ Point2 TrimPieces::point(const TrimPiece &piece, double place) const noexcept {
     return jet(piece, place).point;
 }
 
-// Newton's method, halving where it leaves what is left or does not halve it; until steps are lost in rounding.
+// Newton's method within a bracket. It bisects where a step leaves the bracket, or neither halves it nor is
+// shorter than a quarter of it; it ends when steps are lost in rounding.
 double TrimPieces::place_of(const TrimPiece &piece, int k, double value) const noexcept {
     const auto at = static_cast<size_t>(k);
     const bool rising = piece.start[at] < piece.end[at];
