@@ -9,7 +9,9 @@
 namespace nrb::face {
 
 double BorderPieces::room() const noexcept {
-    return 1e-9 * std::max(face_.covering().period(0), face_.covering().period(1));
+    const Covering &covering = face_.covering();
+    const Point2 units = covering.units();
+    return 1e-9 * std::max(covering.period(0) * units[0], covering.period(1) * units[1]);
 }
 
 BorderPlace BorderPieces::place_of(const TrimPiece &piece, double at) const {
@@ -80,8 +82,9 @@ std::set<BorderPieces::Key> BorderPieces::near(const Spline &curve) const {
                 upper[k] = std::max(upper[k], x);
             }
         }
-        const double around = room();
-        add_in({lower[0] - around, lower[1] - around}, {upper[0] + around, upper[1] + around}, found);
+        const Point2 units = face_.covering().units(), around{room() / units[0], room() / units[1]};
+        add_in({lower[0] - around[0], lower[1] - around[1]}, {upper[0] + around[0], upper[1] + around[1]},
+               found);
     }
     return found;
 }
@@ -120,10 +123,11 @@ const SplinePtr &BorderPieces::moved_piece(const TrimPiece *piece, const Turns &
         const std::span<const double> given = face_.trims().pieces().coefficients(*piece);
         std::vector<double> records(given.begin(), given.end());
         const size_t width = piece->weighted ? 3 : 2;
+        const Point2 units = face_.covering().units();
         for (size_t i = 0; i < records.size(); i += width) {
             for (size_t k = 0; k < 2; ++k) {
                 const double by = turns[k] * face_.covering().period(static_cast<int>(k));
-                records[i + k] += by * (piece->weighted ? records[i + 2] : 1);
+                records[i + k] = (records[i + k] + by * (piece->weighted ? records[i + 2] : 1)) * units[k];
             }
         }
         std::vector<double> knots(static_cast<size_t>(piece->degree) + 1, 0.0);

@@ -23,15 +23,16 @@ class BorderPieces {
 public:
     explicit BorderPieces(const Face &face) : face_(face) {}
 
-    // Curves in the domain that are within this distance of a piece count as being on it: curves on faces are
-    // no more exact than that.
+    // Curves in the domain, in Covering::units(), that are within this distance of a piece count as being on it:
+    // curves on faces are no more exact than that.
     [[nodiscard]] double room() const noexcept;
-    // Calls visit(curve, piece) for the pieces that come near a curve in the plane that covers the domain,
-    // each as a curve over [0, 1] that is moved by periods to that curve.
+    // Calls visit(own, curve, piece) for the pieces that come near a curve in the plane that covers the domain,
+    // with the curve and the piece in Covering::units(), the piece over [0, 1] and moved by periods to the curve.
     template <class Visit>
     void visit_near(const Spline &curve, Visit &&visit) {
+        const SplinePtr own = scaled_copy(curve, face_.covering().units(), {0, 0});
         for (const auto &[piece, turns] : near(curve)) {
-            visit(*moved_piece(piece, turns), *piece);
+            visit(*own, *moved_piece(piece, turns), *piece);
         }
     }
     // The place in the loops of the face at a place of a piece.

@@ -21,12 +21,16 @@ public:
         : face_(face), tolerance_(tolerance), dim_(face.surface()->dim()),
           jets_(static_cast<size_t>(block * 3 * dim_)) {}
 
-    // Sets the sides of places to 0 that count as being on the boundary. Precondition: the places are in the
-    // domain.
+    // Sets the sides of places to 0 that count as being on the boundary. places: of the plane that covers the
+    // domain; the metric at a place beyond an open axis is that at the nearest place of the domain.
     void mark(const std::vector<Point2> &places, const std::vector<int64_t> &numbers, int32_t *sides) {
         const auto count = std::ssize(places);
+        inside_.clear();
+        for (const Point2 &x : places) {
+            inside_.push_back(face_.covering().in_domain(x));
+        }
         const int width = 3 * dim_;
-        eval::evaluate_points(*face_.surface(), {}, 1, {places.front().data(), count, 2, 2, 1},
+        eval::evaluate_points(*face_.surface(), {}, 1, {inside_.front().data(), count, 2, 2, 1},
                               {jets_.data(), count, width, width, 1});
         for (size_t i = 0; i < places.size(); ++i) {
             const double *jet = jets_.data() + i * static_cast<size_t>(width);
@@ -54,6 +58,7 @@ private:
     const Face &face_;
     double tolerance_;
     int dim_;
+    std::vector<Point2> inside_;
     std::vector<double> jets_;
 };
 
@@ -70,9 +75,8 @@ void classify(const Face &face, const ConstRecords &params, double tolerance, in
         for (int64_t i = first; i < std::min(first + block, params.count); ++i) {
             const Point2 x{params(i, 0), params(i, 1)};
             sides[i] = face.trims().side(x);
-            const Point2 inside = face.covering().in_domain(x);
             if (tolerance > 0 && sides[i] != 0) {
-                places.push_back(inside);
+                places.push_back(face.covering().canonical(x));
                 numbers.push_back(i);
             }
         }

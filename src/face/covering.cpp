@@ -6,6 +6,7 @@
 #include "bounds/box.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
+#include "refine/forms/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,12 @@ Suspicion suspicion(const Spline &surface, int k, double tolerance) {
         }
     }
     return result;
+}
+
+// The exponent is limited, because the period may be denormal, or its reciprocal may overflow.
+double unit_of(double period) noexcept {
+    constexpr int most = 1000;
+    return std::exp2(-std::clamp(std::ilogb(period), -most, most));
 }
 
 } // namespace
@@ -125,6 +132,20 @@ Covering Covering::begun_at(const Point2 &lower) const {
     return result;
 }
 
+Covering Covering::over_moved(const Spline &surface) const {
+    Covering result = *this;
+    result.extent_ = bounds::extent(surface);
+    result.poles_.clear();
+    for (const PolePoint &pole : poles_) {
+        result.add_pole(surface, pole.pole.axis, pole.pole.end);
+    }
+    return result;
+}
+
+Point2 Covering::units() const noexcept {
+    return {unit_of(period(0)), unit_of(period(1))};
+}
+
 Point2 Covering::nearest_copy(Point2 x, const Point2 &to) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         if (closed_[k]) {
@@ -157,6 +178,11 @@ Covering::Pole Covering::pole_near(const double *point, double distance) const n
         }
     }
     return {};
+}
+
+SplinePtr scaled_copy(const Spline &curve, const Point2 &scale, const Point2 &move) {
+    const double matrix[] = {scale[0], 0, 0, scale[1]};
+    return refine::transform(curve, {2, 2, matrix}, move.data());
 }
 
 double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b) {

@@ -42,6 +42,11 @@ public:
     [[nodiscard]] Point2 canonical(Point2 x) const noexcept;
     // The same plane, covered by copies of a domain that begins at another place on closed axes.
     [[nodiscard]] Covering begun_at(const Point2 &lower) const;
+    // The same axes and poles for a surface that is this one moved in space.
+    [[nodiscard]] Covering over_moved(const Spline &surface) const;
+    // Reciprocals of powers of two that are about as large as the periods: in such units distances along both
+    // axes are comparable, and scaling rounds nothing.
+    [[nodiscard]] Point2 units() const noexcept;
     // The copy of a place that is nearest to another place.
     [[nodiscard]] Point2 nearest_copy(Point2 x, const Point2 &to) const noexcept;
     // Calls visit(move) for the moves by -1, 0 or 1 periods of closed axes that bring a box of the plane to
@@ -88,6 +93,8 @@ private:
 
 // Precondition: x is in the domain.
 std::vector<double> point_at(const Spline &surface, const Point2 &x);
+// A new curve, even without a move, so that two curves that are compared are never the same object.
+SplinePtr scaled_copy(const Spline &curve, const Point2 &scale, const Point2 &move);
 // The distance in space of two places of the plane.
 double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b);
 

@@ -175,7 +175,8 @@ Face::Face(FaceParts parts, std::vector<double> *gaps)
 
 Face::Face(const std::shared_ptr<const Face> &face, SplinePtr surface, double tolerance)
     : surface_(std::move(surface)), loops_(face->loops_), tolerance_(tolerance), has_gaps_(face->has_gaps_),
-      covering_(face->covering_), joints_(face->joints_), trims_(face, face->trims_.get()) {
+      covering_(face->covering_.over_moved(*surface_)), joints_(face->joints_),
+      trims_(face, face->trims_.get()) {
     for (Loop &loop : loops_) {
         for (Coedge &coedge : loop) {
             coedge.edge = nullptr;

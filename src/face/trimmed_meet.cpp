@@ -167,25 +167,26 @@ private:
             found.at.push_back({part.lower, {}});
             found.at.push_back({part.upper, {}});
         }
-        border_.visit_near(*curve_of(branch), [&](const Spline &curve, const TrimPiece &piece) {
-            const intersect::PairHits hits = intersect::curve_curve(*curve_of(branch), curve, border_.room());
-            for (const intersect::PairHit &hit : hits.list) {
-                if (hit.kind == intersect::HitKind::undecided) {
-                    node_on(branch, hit.a, NodeKind::undecided);
+        border_.visit_near(
+            *curve_of(branch), [&](const Spline &own, const Spline &curve, const TrimPiece &piece) {
+                const intersect::PairHits hits = intersect::curve_curve(own, curve, border_.room());
+                for (const intersect::PairHit &hit : hits.list) {
+                    if (hit.kind == intersect::HitKind::undecided) {
+                        node_on(branch, hit.a, NodeKind::undecided);
+                    }
+                    if (hit.kind == intersect::HitKind::overlap) {
+                        found.at.push_back({hit.range_a.lower, border_.place_of(piece, hit.from_b)});
+                        found.at.push_back({hit.range_a.upper, border_.place_of(piece, hit.to_b)});
+                        const bool with_loop = (hit.from_b < hit.to_b) != border_.is_turned(piece);
+                        const BorderPlace &place = found.at.back().place;
+                        found.along.push_back({hit.range_a,
+                                               {with_loop ? Direction::with_loop : Direction::against_loop,
+                                                place.loop, place.index}});
+                    } else {
+                        found.at.push_back({hit.a, border_.place_of(piece, hit.b)});
+                    }
                 }
-                if (hit.kind == intersect::HitKind::overlap) {
-                    found.at.push_back({hit.range_a.lower, border_.place_of(piece, hit.from_b)});
-                    found.at.push_back({hit.range_a.upper, border_.place_of(piece, hit.to_b)});
-                    const bool with_loop = (hit.from_b < hit.to_b) != border_.is_turned(piece);
-                    const BorderPlace &place = found.at.back().place;
-                    found.along.push_back({hit.range_a,
-                                           {with_loop ? Direction::with_loop : Direction::against_loop,
-                                            place.loop, place.index}});
-                } else {
-                    found.at.push_back({hit.a, border_.place_of(piece, hit.b)});
-                }
-            }
-        });
+            });
         std::ranges::sort(found.at, {}, &Crossing::at);
         return found;
     }

@@ -24,19 +24,6 @@ namespace {
 using intersect::Box3;
 
 constexpr double most_loop_copies = 0x1p16; // most copies of the domain through which curves may run
-// A new spline, even without a move, so that two curves that are compared are never the same object.
-SplinePtr scaled_copy(const Spline &curve, const Point2 &scale, const Point2 &move) {
-    const double matrix[] = {scale[0], 0, 0, scale[1]};
-    return refine::transform(curve, {2, 2, matrix}, move.data());
-}
-
-// The reciprocal of a power of two that is about as large as a period. The exponent is limited, because the
-// period may be denormal, or its reciprocal may overflow.
-double unit_of(double period) noexcept {
-    constexpr int most = 1000;
-    return std::exp2(-std::clamp(std::ilogb(period), -most, most));
-}
-
 // Larger by what rounding does to copies, and by the distance that counts as none.
 Box3 flat_box(const bounds::Box &box, const Point2 &move, const Point2 &scale, double near) noexcept {
     Box3 flat;
@@ -77,7 +64,7 @@ bool runs_one_way(const Spline &curve) noexcept {
 } // namespace
 
 LoopHits::LoopHits(const Covering &covering, std::span<const ClosedLoop> loops, double near)
-    : covering_(covering), near_(near), scale_{unit_of(covering.period(0)), unit_of(covering.period(1))} {
+    : covering_(covering), near_(near), scale_(covering.units()) {
     add(loops);
     // The loops of a face should not cross. Other curves, for which `near` is not 0, may cross everywhere.
     const int64_t for_a_point = near_ > 0 ? 1000000 : 100000;

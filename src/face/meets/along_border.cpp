@@ -24,8 +24,8 @@ bool cover(std::vector<Interval> parts, const Interval &domain) {
 bool runs_along_border(const Face &face, const Spline &curve) {
     BorderPieces border(face);
     std::vector<Interval> along;
-    border.visit_near(curve, [&](const Spline &own, const TrimPiece &) {
-        for (const intersect::PairHit &hit : intersect::curve_curve(curve, own, border.room()).list) {
+    border.visit_near(curve, [&](const Spline &own, const Spline &piece, const TrimPiece &) {
+        for (const intersect::PairHit &hit : intersect::curve_curve(own, piece, border.room()).list) {
             if (hit.kind == intersect::HitKind::overlap) {
                 along.push_back(hit.range_a);
             }

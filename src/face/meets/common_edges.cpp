@@ -92,14 +92,15 @@ UnderEdge given_under(const Face &face, const Coedge &coedge, const SplinePtr &e
     return {curve, proven_distance(face.surface(), face.covering(), curve, *edge)};
 }
 
-UnderEdge under(const Face &face, const Coedge &coedge, const SplinePtr &edge, bool turned) {
+// own: whether the edge is the one that the coedge has, or that one reversed.
+UnderEdge under(const Face &face, const Coedge &coedge, const SplinePtr &edge, bool turned, bool own) {
     const double tolerance = face.tolerance();
     UnderEdge given = given_under(face, coedge, edge, turned);
     if (given.distance <= tolerance) {
         return given;
     }
     // The curve was made from the edge that was given with it, and proven to be near that.
-    if (given.curve && coedge.deviation && coedge.deviation->proven) {
+    if (own && given.curve && coedge.deviation && coedge.deviation->proven) {
         return {given.curve, coedge.deviation->distance};
     }
     try {
@@ -175,8 +176,8 @@ CommonEdge common_edge(const Face &a, const Coedge &on_a, const Face &b, const C
                        double tolerance) {
     const SplinePtr own = edge_of(a, on_a),
                     edge = clamped(on_a.against ? refine::reverse(*own, 0, false) : own);
-    const UnderEdge in_a = under(a, on_a, edge, false),
-                    in_b = under(b, on_b, edge, on_a.against != on_b.against);
+    const UnderEdge in_a = under(a, on_a, edge, false, true),
+                    in_b = under(b, on_b, edge, on_a.against != on_b.against, on_a.edge == on_b.edge);
     const std::array<SplinePtr, 3> curves{edge, clamped(in_a.curve), clamped(in_b.curve)};
     const std::vector<SplinePtr> all = reduce::make_compatible(curves, 0, false).splines;
     const double size = size_of(*edge);

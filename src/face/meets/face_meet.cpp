@@ -169,16 +169,24 @@ private:
     // Moves a curve, and returns a bound on how far the points of the surface move.
     double move(SplinePtr &curve, size_t face) {
         std::array<double, 2> most{};
+        const auto width = static_cast<size_t>(curve->stored_width());
         std::vector<double> points(curve->points().begin(), curve->points().end());
-        for (size_t i = 0; i < points.size(); ++i) {
-            const double x = clamped(points[i], face, static_cast<int>(i % 2));
-            most[i % 2] = std::max(most[i % 2], std::abs(x - points[i]));
-            points[i] = x;
+        for (int64_t i = 0; i < curve->point_count(); ++i) {
+            const double weight = curve->form() == Form::homogeneous ? curve->weight(i) : 1;
+            for (const int k : {0, 1}) {
+                const auto axis = static_cast<size_t>(k);
+                const double x = curve->coordinate(i, k), inside = clamped(x, face, k);
+                if (x != inside) {
+                    most[axis] = std::max(most[axis], std::abs(x - inside));
+                    points[static_cast<size_t>(i) * width + axis] = inside * weight;
+                }
+            }
         }
         if (most[0] == 0 && most[1] == 0) {
             return 0;
         }
-        curve = make_result(curve->knot_vectors(), 2, Form::polynomial, std::move(points));
+        curve = make_result(curve->knot_vectors(), 2, curve->form(), std::move(points),
+                            std::vector<double>(curve->weights().begin(), curve->weights().end()));
         const std::array<double, 2> speeds = fastest(*ground_of(*faces_[face], true));
         return most[0] * speeds[0] + most[1] * speeds[1];
     }
@@ -265,6 +273,7 @@ Meet face_intersections(const Face &a, const Face &b, double tolerance) {
     Meet found = trimmed(b, trimmed(a, all, 0, parts_along(all, edges)), 1);
     drop_what_is_of_edges(found, edges);
     drop_edges_along(regions, edges);
+    found.limited = found.limited || work_ended();
     found.append(std::move(regions));
     found.tidy_nodes();
     IntoDomains(a, b).move(found);

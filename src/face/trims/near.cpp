@@ -47,7 +47,8 @@ double from_segment(const Metric &metric, const Point2 &a, const Point2 &b) noex
     const double u = b[0] - a[0], v = b[1] - a[1], length = metric.squared(u, v);
     const double along = metric.uu * a[0] * u + metric.uv * (a[0] * v + a[1] * u) + metric.vv * a[1] * v;
     const double t = length > 0 ? std::clamp(-along / length, 0.0, 1.0) : 0;
-    return metric.squared(a[0] + t * u, a[1] + t * v);
+    return std::max(metric.squared(a[0] + t * u, a[1] + t * v),
+                    0.0); // rounding of a metric that is nearly singular
 }
 
 // By the convex hull property, the part is no farther from its chord than its control points are.
