@@ -204,9 +204,9 @@
  * - **References.** A parameter whose text begins with another function, as in "as for
  *   nurbs_create()", and has no shape of its own, has the shape of the parameter of that name there, and may
  *   be NULL if that one may be.
- * - **Long calls.** nurbs_X_with() takes what nurbs_X() takes, and `call`. Structs that stand in place of
- *   parameters have fields with the names of these. Such a field has the shape that the parameter has, and
- *   may be NULL if that one may be; if nurbs_X() has no parameter of its name, it has to be 0 or NULL.
+ * - **Long calls.** nurbs_X_with() takes the parameters of nurbs_X(), and `call`. Where structs replace
+ *   parameters, their fields have the names of these parameters. Such a field has the shape of its parameter,
+ *   and may be NULL if the parameter may be. A field for which nurbs_X() has no parameter must be 0 or NULL.
  *   Strides that belong to no array are ignored.
  * - **Statuses** are listed after `\return`: _AXES is short for NURBS_ERROR_AXES. "as for" another function,
  *   at the beginning, stands for all statuses that it lists; "without" takes some away, "instead of"
@@ -463,20 +463,20 @@ enum {
 /** \name Rules for parameters, for nurbs_parametrize()
  * @{ */
 #define NURBS_PARAMS_UNIFORM 0       /**< equal steps */
-#define NURBS_PARAMS_CHORD 1         /**< steps as long as the chords */
-#define NURBS_PARAMS_CENTRIPETAL 2   /**< their square roots (Lee 1989) */
-#define NURBS_PARAMS_POWER 3         /**< a power of them */
-#define NURBS_PARAMS_FOLEY_NIELSON 4 /**< chords that count for more where the polygon turns */
+#define NURBS_PARAMS_CHORD 1         /**< steps in proportion to the chords */
+#define NURBS_PARAMS_CENTRIPETAL 2   /**< steps in proportion to the square roots of the chords (Lee 1989) */
+#define NURBS_PARAMS_POWER 3         /**< steps in proportion to a power of the chords */
+#define NURBS_PARAMS_FOLEY_NIELSON 4 /**< steps in proportion to the chords, longer where the polygon turns */
 /** @} */
 
 /** \name Ends of an interpolating spline, for nurbs_interpolate()
  * @{ */
-#define NURBS_ENDS_NOT_A_KNOT 0 /**< the parameters next to the end are no knots */
+#define NURBS_ENDS_NOT_A_KNOT 0 /**< the parameters next to the end are not knots */
 #define NURBS_ENDS_NATURAL 1 /**< derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees */
-#define NURBS_ENDS_FREE 2    /**< knots averaged from the parameters, nurbs_knots_averaged(); both ends */
+#define NURBS_ENDS_FREE 2    /**< knots averaged from the parameters (nurbs_knots_averaged()); both ends */
 /** @} */
 
-/** \name Orders of derivatives that are no number, for nurbs_curve_interpolate()
+/** \name Special orders of derivatives, for nurbs_curve_interpolate()
  * @{ */
 #define NURBS_ORDER_DIRECTION (-1) /**< the first derivative has the direction of the target, of any length */
 /** @} */
@@ -487,14 +487,14 @@ enum {
 #define NURBS_SMOOTHING_LAMBDA 1      /**< the factor of the penalty is given */
 #define NURBS_SMOOTHING_GCV 2         /**< by generalised cross validation (Craven & Wahba 1979) */
 #define NURBS_SMOOTHING_REML 3        /**< by restricted maximum likelihood (Wood 2011) */
-#define NURBS_SMOOTHING_DISCREPANCY 4 /**< as smooth as a sum of squares allows (Reinsch 1967) */
+#define NURBS_SMOOTHING_DISCREPANCY 4 /**< as smooth as a given sum of squares allows (Reinsch 1967) */
 /** @} */
 
-/** \name What outliers are worth, for nurbs_fit_options
+/** \name How much outliers count, for nurbs_fit_options
  * @{ */
-#define NURBS_ROBUST_NONE 0  /**< as much as all data */
-#define NURBS_ROBUST_HUBER 1 /**< min(1, 1 / x) of their weight (Huber 1964) */
-#define NURBS_ROBUST_TUKEY 2 /**< (1 - x^2)^2 of it for x < 1, nothing beyond (Beaton & Tukey 1974) */
+#define NURBS_ROBUST_NONE 0  /**< as much as other data */
+#define NURBS_ROBUST_HUBER 1 /**< their weight times min(1, 1 / x) (Huber 1964) */
+#define NURBS_ROBUST_TUKEY 2 /**< their weight times (1 - x^2)^2 for x < 1, else 0 (Beaton & Tukey 1974) */
 /** @} */
 
 /** \name Shapes along an axis, for nurbs_fit_options; they can be added
@@ -505,23 +505,23 @@ enum {
 #define NURBS_TREND_CONCAVE 0x08 /**< the first derivative does not rise */
 /** @} */
 
-/** \name What nurbs_fit_report tells besides
+/** \name Bits of nurbs_fit_report
  * @{ */
-#define NURBS_FIT_TARGET_MISSED 0x01 /**< no smoothing leaves as little as the target asks for */
-#define NURBS_FIT_NOT_CONVERGED 0x02 /**< rounds of a robust fit, or of a shape, still changed it */
+#define NURBS_FIT_TARGET_MISSED 0x01 /**< the target, or the tolerance, is not reached */
+#define NURBS_FIT_NOT_CONVERGED 0x02 /**< the last round of a robust fit, or of a shape, still changed it */
 /** @} */
 
-/** \name What nurbs_cloud_report tells besides
+/** \name Bits of nurbs_cloud_report
  * @{ */
 #define NURBS_CLOUD_NOT_CONVERGED                                                                            \
-    0x01 /**< the rounds, or the limit of work, ended while the sum still fell */
+    0x01 /**< the rounds, or the limit of work, ended while the sum was still falling */
 /** @} */
 
 /** \name Rules for tangents, for nurbs_tangents()
  * @{ */
 #define NURBS_TANGENTS_CATMULL_ROM 0 /**< the slope between the neighbours */
-#define NURBS_TANGENTS_BESSEL 1      /**< of the parabola through a point and its neighbours */
-#define NURBS_TANGENTS_AKIMA 2       /**< chords by how little they change (Akima 1970) */
+#define NURBS_TANGENTS_BESSEL 1      /**< the slope of the parabola through a point and its neighbours */
+#define NURBS_TANGENTS_AKIMA 2       /**< mean of both slopes, weighted by their steadiness (Akima 1970) */
 #define NURBS_TANGENTS_MONOTONE                                                                              \
     3 /**< each coordinate rises and falls as the data do (Fritsch & Butland 1984) */
 /** @} */
@@ -573,44 +573,44 @@ NURBS_API int64_t nurbs_last_error(char *buf, int64_t cap);
  * call.work = 1000000000; // a second or two
  * nurbs_curve_length_with(curve, NULL, 1e-12, &length, NULL, &call);
  * \endcode
- * A function that can take long has a second form, whose name ends with _with. It has one argument more,
- * `call`, which stands last, or before a new handle. The answer is the same, bit for bit. Where there would
- * be more than 12 arguments, structs take their place.
+ * A function that can take long has a second form whose name ends with _with. It has one more argument,
+ * `call`, which comes last, or before a new handle. The result is the same, bit for bit. Where there would be
+ * more than 12 arguments, structs replace them.
  *
- * **Progress.** The callback is called in the thread of the call, at most every 10 ms, so that a short call
- * may end without one. If it returns anything but 0, the call ends with NURBS_ERROR_CANCELLED and writes
- * nothing. No lock is held meanwhile: the callback may call any function with any handle, except that it must
- * not destroy what the call was given. It must not be left by an exception or by longjmp(): keep the exception,
- * return 1, and raise it after the call. (An exception of C++ that leaves it ends the call as 1 does, and is
- * lost; what longjmp() leaves behind is never freed.) It may end its thread by pthread_exit(); a thread that is
- * cancelled in it ends after the call.
+ * **Progress.** The callback runs in the thread of the call, at most every 10 ms, so that a short call may
+ * end without one. If it returns anything but 0, the call ends with NURBS_ERROR_CANCELLED and writes nothing.
+ * No lock is held while it runs: the callback may call any function with any handle, but it must not destroy
+ * what the call was given. Neither an exception nor longjmp() may leave it: keep the exception, return 1, and
+ * raise it after the call. (A C++ exception that leaves the callback ends the call as 1 does, and is lost;
+ * what longjmp() skips is never freed.) The callback may end its thread by pthread_exit(); a thread that is
+ * cancelled in the callback ends after the call.
  *
- * **Work** is counted in multiply-adds, estimated, and never measured by a clock: the load of the machine
- * changes no answer. A processor does some 10^9 of them in a second or two. What a handle keeps for later calls
- * (tables and trees, built at the first call that needs them, which takes as long as that takes) is not
- * counted. At the limit a function that answers with NURBS_CLOSEST_BUDGET or `complete` says so there, as at
- * the end of its budget, with what is proven so far: in a batch the points that are left get what is found
- * without a search. Fits to a tolerance, approximations and fits of clouds search with half of it, and answer
- * with the best that they met if the rest is enough to finish that. Any other function returns NURBS_ERROR_WORK
- * and writes nothing.
+ * **Work** is counted in multiply-adds, which are estimated. No clock measures it, so the load of the machine
+ * changes no result. A processor does some 10^9 multiply-adds in a second or two. What a handle keeps for
+ * later calls (tables and trees) is not counted; the first call that needs it builds it, however long that
+ * takes. At the limit of work, a function that answers with NURBS_CLOSEST_BUDGET or `complete` returns what
+ * is proven so far, and says so, as at the end of its budget; the remaining points of a batch get what is
+ * found without a search. Fits to a tolerance, approximations and fits of clouds search with half of the
+ * work, and return the best result that they found if the rest is enough to finish it. Any other function
+ * returns NURBS_ERROR_WORK and writes nothing.
  *
- * **Without a limit of the caller's** the functions that go on until something holds (distances of two
+ * **Without a limit of the caller** the functions that search until a condition holds (distances of two
  * splines, features of curves, the fold test, where curves meet, constraints, bends, free-form deformations,
- * fits to a tolerance and of clouds, approximations) have one of their own: some 10^9 multiply-adds, about a
- * second, and 20000 to 1500000 for each control point or datum. They answer there as at a limit of the
- * caller's, with NURBS_ERROR_NOT_CONVERGED in place of NURBS_ERROR_WORK; fits always have an answer. A
- * larger `work`, or a budget, takes its place.
+ * fits to a tolerance and of clouds, approximations) have a limit of their own: some 10^9 multiply-adds,
+ * about a second, plus 20000 to 1500000 for each control point or datum. There they do what they do at a
+ * limit of the caller, but return NURBS_ERROR_NOT_CONVERGED instead of NURBS_ERROR_WORK; fits always have a
+ * result. The `work` of the caller, or a budget, replaces this limit.
  * @{ */
 
-/** \brief Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends
- * the call. */
+/** \brief Called with how much of a call is done: an estimate from 0 to 1 that never decreases. A result
+ * other than 0 ends the call. */
 typedef int32_t (*nurbs_progress)(double done, void *user);
 
-/** \brief What a caller wants of a long call; fill with nurbs_call_options_init() first. Fields are only ever
- * appended, and struct_size is at most 4096. */
+/** \brief Limit of work and progress callback of a long call; fill with nurbs_call_options_init() first.
+ * Fields are only ever appended, and struct_size is at most 4096. */
 typedef struct nurbs_call_options {
     int64_t struct_size;     /**< size of this struct as the caller knows it */
-    int64_t work;            /**< most multiply-adds; 0: no limit of the caller's */
+    int64_t work;            /**< largest number of multiply-adds; 0: no limit of the caller */
     nurbs_progress progress; /**< or NULL: called now and then */
     void *user;              /**< or NULL: passed to progress */
 } nurbs_call_options;
@@ -2100,9 +2100,9 @@ NURBS_API nurbs_status nurbs_antiderivative(const nurbs *g, int32_t axis, nurbs 
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_product(const nurbs *a, const nurbs *b, uint32_t flags, nurbs **out);
 
-/** \brief nurbs_product() as a call that can be watched and ended.
+/** \brief nurbs_product() with progress reports, cancellation and a limit of work.
  * \param[in] a,b,flags as for nurbs_product().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_product(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -2161,9 +2161,9 @@ NURBS_API nurbs_status nurbs_product_with(const nurbs *a, const nurbs *b, uint32
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_compose(const nurbs *g, const nurbs *f, nurbs **out);
 
-/** \brief nurbs_compose() as a call that can be watched and ended.
+/** \brief nurbs_compose() with progress reports, cancellation and a limit of work.
  * \param[in] g,f as for nurbs_compose().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_compose(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -2308,34 +2308,36 @@ NURBS_API nurbs_status nurbs_basis_matrix(int32_t from, int32_t to, int32_t degr
  * nurbs_interpolate(1, &degree, &count, params, 2, points[0], 0, 0, NULL, 0, &residual, &through);
  * nurbs_destroy(through);
  * \endcode
- * Splines through given points: on a grid along each of its axes in turn (C. de Boor, "Efficient computer
- * manipulation of tensor products", ACM Trans. Math. Softw. 5 (1979)), in a time that grows with the number
- * of points. Coordinates of any dimension take part alike; what is left to choose are the parameters and the
- * knots.
+ * Splines through given points, on a grid along each of its axes in turn (C. de Boor, "Efficient computer
+ * manipulation of tensor products", ACM Trans. Math. Softw. 5 (1979)), in time proportional to the number of
+ * points. All coordinates are treated alike, in any dimension. What remains to be chosen are the parameters
+ * and the knots.
  * @{ */
 
-/** \brief Parameters of points from the distances between them: along each axis from 0 to 1, steps in
- * proportion to lengths d_i that the rule makes of the chords c_i = |P_(i+1) - P_i|: 1, c_i, sqrt(c_i),
- * c_i^exponent, or for NURBS_PARAMS_FOLEY_NIELSON
+/** \brief Parameters of points from the distances between them.
+ *
+ * Along each axis the parameters run from 0 to 1, with steps in proportion to lengths d_i that the rule
+ * derives from the chords c_i = |P_(i+1) - P_i|: 1, c_i, sqrt(c_i), c_i^exponent, or for
+ * NURBS_PARAMS_FOLEY_NIELSON
  *
  *     d_i = c_i (1 + 3/2 a_i c_(i-1) / (c_(i-1) + c_i) + 3/2 a_(i+1) c_(i+1) / (c_i + c_(i+1)))
  *
- * with a_i the angle by which the polygon turns at P_i, but at most a right one (Foley & Nielson 1989, with
- * Euclidean chords). On a grid the parameters of an axis are the means of those of its lines; lines of no
- * length do not count. Repeated points have equal parameters, which nurbs_interpolate() refuses. Parameters
- * of another kind: lengths along a curve that is known already, by nurbs_curve_lengths(). Nothing changes
- * beyond rounding if the points are moved, turned, mirrored or scaled, and nothing at all if they are scaled
- * by a power of two.
+ * where a_i is the angle by which the polygon turns at P_i, but at most a right angle (Foley & Nielson 1989,
+ * with Euclidean chords). On a grid, the parameters of an axis are the means of those of its lines; lines of
+ * length 0 do not count. Repeated points have equal parameters, which nurbs_interpolate() refuses. If a curve
+ * is known already, nurbs_curve_lengths() gives the lengths along it as parameters. Moving, rotating,
+ * mirroring or scaling the points changes the parameters only by rounding, and scaling by a power of two does
+ * not change them at all.
  * \param[in] axes 1 to 3.
  * \param[in] counts [axes] number of points along each axis, >= 1.
  * \param[in] dim dimension of the points.
  * \param[in] points [counts[0]]...[counts[axes-1]][dim].
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] rule a NURBS_PARAMS_ constant.
- * \param[in] exponent for NURBS_PARAMS_POWER, from 0 to 8; others do not read it.
+ * \param[in] exponent for NURBS_PARAMS_POWER, from 0 to 8; other rules do not read it.
  * \param[in] flags NURBS_PERIODIC for axes along which the last point is the first one again, so that
  *   NURBS_PARAMS_FOLEY_NIELSON sees the angle there.
- * \param[out] params [sum of counts] those of axis 0, then those of axis 1 and 2.
+ * \param[out] params [sum of counts] those of axis 0, then those of axes 1 and 2.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _OVERLAP, _FLAGS,
  *   _POINT_NOT_FINITE; _RULE for another rule, _FACTOR for an exponent that is not allowed, _LENGTH if no
  *   line of an axis has a length.
@@ -2345,9 +2347,11 @@ NURBS_API nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, in
                                          int64_t point_component_stride, int32_t rule, double exponent,
                                          uint32_t flags, double *params);
 
-/** \brief Parameters that do not depend on the points: where the basis functions over the knots of
- * nurbs_knots_open_uniform() from 0 to 1 are largest. For nurbs_interpolate_over_knots() with those knots,
- * the curve then is mapped as its points are by any affine map (Lim 1999).
+/** \brief Parameters that do not depend on the points: where the basis functions are largest.
+ *
+ * The basis functions are those over the knots of nurbs_knots_open_uniform() from 0 to 1. If
+ * nurbs_interpolate_over_knots() uses these knots and parameters, any affine map of the points maps the curve
+ * in the same way (Lim 1999).
  * \param[in] degree of the curve.
  * \param[in] count number of points, > degree, at least 2.
  * \param[out] params [count] from 0 to 1; symmetric: params[count - 1 - i] is 1 - params[i], i < count / 2.
@@ -2356,19 +2360,21 @@ NURBS_API nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, in
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_params_universal(int32_t degree, int64_t count, double *params);
 
-/** \brief The spline of given degrees through points on a grid of parameters. Knots stand at the parameters,
- * for even degrees in the middle between two of them, with degree + 1 at each end. At an end that is
- * NURBS_ENDS_NOT_A_KNOT the first degree / 2 of these inner knots are left out; at one that is
- * NURBS_ENDS_NATURAL none, and the derivatives of orders (degree + 1) / 2 to degree - 1 vanish, as for the
- * interpolating spline of least energy. NURBS_ENDS_FREE at both ends takes averaged knots. A periodic axis
- * has a knot for each parameter but the last, and no ends. A data point at a clamped end is the control point
- * there, bit for bit. Every polynomial spline over these knots, with these ends, is found again up to
- * rounding. At its parameter the spline is within 4 eps of the largest magnitude of a control point of a
- * point (tested).
+/** \brief The spline of given degrees through points on a grid of parameters.
+ *
+ * Knots lie at the parameters, or for even degrees in the middle between two of them, with degree + 1 at each
+ * end. At an end that is NURBS_ENDS_NOT_A_KNOT, the first degree / 2 of these inner knots are left out. At
+ * one that is NURBS_ENDS_NATURAL, none is left out, and the derivatives of orders (degree + 1) / 2 to
+ * degree - 1 vanish, as for the interpolating spline of least energy. NURBS_ENDS_FREE at both ends uses
+ * averaged knots. A periodic axis has a knot for each parameter but the last, and no ends.
+ *
+ * A data point at a clamped end is the control point there, bit for bit. Every polynomial spline over these
+ * knots with these ends is reproduced up to rounding. At the parameter of a point, the distance of the spline
+ * from the point is at most 4 eps times the largest magnitude of a control point (tested).
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes].
- * \param[in] counts [axes] number of points along each axis: at least 2, and degree + 1 unless ends are
- *   natural, on a periodic axis 2.
+ * \param[in] counts [axes] number of points along each axis: at least 2, and at least degree + 1 unless ends
+ *   are natural; on a periodic axis at least 2.
  * \param[in] params [sum of counts] strictly increasing along each axis: those of axis 0, then the others.
  * \param[in] dim dimension of the points.
  * \param[in] points [counts[0]]...[counts[axes-1]][dim]; on a periodic axis the last layer repeats the first
@@ -2377,8 +2383,8 @@ NURBS_API nurbs_status nurbs_params_universal(int32_t degree, int64_t count, dou
  * \param[in] ends [axes][2] or NULL for NURBS_ENDS_NOT_A_KNOT: NURBS_ENDS_ constants for the start and the
  *   end of each axis, 0 on periodic ones.
  * \param[in] flags NURBS_PERIODIC for axes that are to be periodic.
- * \param[out] residual or NULL: the largest distance of a point from the spline at its parameter, as it is
- *   evaluated.
+ * \param[out] residual or NULL: the largest distance of a point from the spline as evaluated at its
+ *   parameter.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DEGREE, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS,
  *   _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE; _TOO_FEW_POINTS, _KNOTS_DECREASING for parameters that do not
@@ -2392,18 +2398,20 @@ NURBS_API nurbs_status nurbs_interpolate(int32_t axes, const int32_t *degrees, c
                                          int64_t point_stride, int64_t point_component_stride,
                                          const int32_t *ends, uint32_t flags, double *residual, nurbs **out);
 
-/** \brief The spline over given knots through points on a grid of parameters: as many control points as data.
- * There is one, and only one, if parameter i of each axis lies in the support of its control point i, between
- * knots i and i + degree + 1 (Schoenberg & Whitney 1953).
+/** \brief The spline over given knots through points on a grid of parameters.
+ *
+ * It has as many control points as there are data. It exists and is unique if parameter i of each axis lies
+ * in the support of its control point i, between knots i and i + degree + 1 (Schoenberg & Whitney 1953).
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes].
- * \param[in] counts [axes] number of points along each axis; an axis has as many control points, a periodic
- *   one degree more, the last of which repeat the first ones.
+ * \param[in] counts [axes] number of points along each axis. An axis has as many control points; a periodic
+ *   axis has `degree` more, the last of which repeat the first ones.
  * \param[in] params [sum of counts] in the domain, strictly increasing along each axis.
  * \param[in] knots [knot_count] full knot vectors of all axes, one after the other.
  * \param[in] knot_count sum of (number of control points + degree + 1).
  * \param[in] dim dimension of the points.
- * \param[in] points [counts[0]]...[counts[axes-1]][dim]; on a periodic axis without a repeated last layer.
+ * \param[in] points [counts[0]]...[counts[axes-1]][dim]; on a periodic axis without a last layer that repeats
+ *   the first.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] flags NURBS_PERIODIC for periodic axes.
  * \param[out] out the new handle.
@@ -2420,38 +2428,43 @@ NURBS_API nurbs_status nurbs_interpolate_over_knots(int32_t axes, const int32_t 
                                                     int64_t point_component_stride, uint32_t flags,
                                                     nurbs **out);
 
-/** \brief The spline through points and given derivatives at the ends of axes: a grid in which layers of
- * derivatives lie beside the layers of points at the first and last parameters of an axis. Layer i of axis k is
- * of derivative orders[i] along the axis at params[i]; where layers of derivatives of two axes cross stand mixed
- * derivatives (de Boor 1962). Heights at 3 x 4 places whose slopes at all four borders are known are
+/** \brief The spline through points on a grid with given derivatives at the ends of axes.
+ *
+ * The values form a grid in which layers of derivatives lie beside the layers of points at the first and last
+ * parameters of an axis. Layer i of axis k holds derivatives of order orders[i] along the axis at params[i].
+ * Where layers of derivatives of two axes cross, the values are mixed derivatives (de Boor 1962). For
+ * example, heights at 3 x 4 places whose slopes at all four borders are known have
  *
  *     counts {5, 6}   params {0, 0, 1, 2, 2,  0, 0, 1, 2, 3, 3}   orders {0, 1, 0, 0, 1,  0, 1, 0, 0, 0, 1}
  *
- * where mixed derivatives stand in the four corners. One that is NaN is estimated, as the mean over its axes
- * of the derivatives of polynomials of the degree of the axis through the nearest layers, which keeps
- * polynomials and the order of the error. Knots are those of nurbs_interpolate(); at an end with m derivatives
- * only the first degree / 2 - m inner knots are left out. Every polynomial spline over these knots, with these
- * ends, is found again up to rounding. For an odd degree derivatives of orders 1 to degree / 2 make the
- * complete spline (of a cubic: slopes), and those of orders (degree + 1) / 2 to degree - 1, if they are 0,
- * natural ends. Conditions elsewhere than at ends: nurbs_curve_interpolate().
+ * with mixed derivatives in the four corners. A mixed derivative that is NaN is estimated. The estimate is
+ * the mean, over its axes, of the derivatives of polynomials of the degree of the axis through the nearest
+ * layers, which reproduces polynomials and keeps the order of the error.
+ *
+ * The knots are those of nurbs_interpolate(), but at an end with m derivatives only the first degree / 2 - m
+ * inner knots are left out. Every polynomial spline over these knots with these ends is reproduced up to
+ * rounding. For an odd degree, derivatives of orders 1 to degree / 2 give the complete spline (for a cubic:
+ * slopes), and derivatives of orders (degree + 1) / 2 to degree - 1 that are 0 give natural ends. For
+ * conditions elsewhere than at ends there is nurbs_curve_interpolate().
  * \param[in] axes 1 to 3.
  * \param[in] degrees [axes].
- * \param[in] counts [axes] number of layers along each axis. Of those of order 0 there are as many as
- *   nurbs_interpolate() needs, but for each derivative at an end one less; at least 2.
- * \param[in] params [sum of counts] along each axis increasing, and equal only where orders rise.
- * \param[in] orders [sum of counts] or NULL for 0: orders of derivatives, 0 first at each parameter, others only
- *   at the first and last parameter of an axis that is not periodic: at most degree / 2 at each end, from 1 to
- *   the degree.
+ * \param[in] counts [axes] number of layers along each axis. The number of layers of order 0 is at least that
+ *   which nurbs_interpolate() needs, less one for each derivative at an end, and at least 2.
+ * \param[in] params [sum of counts] increasing along each axis, and equal only where orders rise.
+ * \param[in] orders [sum of counts] or NULL for 0: orders of derivatives. The first one at each parameter
+ *   is 0. Others, from 1 to the degree, occur only at the first and last parameter of an axis that is not
+ *   periodic, at most degree / 2 of them at each end.
  * \param[in] dim dimension of the values.
  * \param[in] values [counts[0]]...[counts[axes-1]][dim] points and derivatives; mixed ones may be NaN; on a
  *   periodic axis the last layer repeats the first one bit for bit.
  * \param[in] value_stride,value_component_stride layout of values, 0 = packed.
- * \param[in] ends [axes][2] or NULL for NURBS_ENDS_NOT_A_KNOT: as for nurbs_interpolate(), 0 where derivatives
- *   are given, and no NURBS_ENDS_FREE beside these.
+ * \param[in] ends [axes][2] or NULL for NURBS_ENDS_NOT_A_KNOT: as for nurbs_interpolate(); 0 at an end where
+ *   derivatives are given, and not NURBS_ENDS_FREE at the other end of such an axis.
  * \param[in] flags NURBS_PERIODIC for axes that are to be periodic.
  * \param[out] out the new handle.
- * \return as for nurbs_interpolate(), and NURBS_ERROR_ORDER for an order that is out of range, does not rise, or
- *   is not at an end, or for too many of them; _POINT_NOT_FINITE does not name NaN of mixed derivatives.
+ * \return as for nurbs_interpolate(), and NURBS_ERROR_ORDER for an order that is out of range, does not rise,
+ *   or is not at an end, or for too many of them; _POINT_NOT_FINITE except for a mixed derivative that is
+ *   NaN.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t *degrees,
                                                      const int64_t *counts, const double *params,
@@ -2459,20 +2472,23 @@ NURBS_API nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t
                                                      int64_t value_stride, int64_t value_component_stride,
                                                      const int32_t *ends, uint32_t flags, nurbs **out);
 
-/** \brief The curve of given points and derivatives: derivative orders[i] at params[i] is target i, whichever
- * orders in whichever places, as long as they determine a curve (Hermite's problem if each parameter has all
- * orders up to its highest one, else Birkhoff's). Clamped ends are derivatives at the first and last
- * parameter. With NURBS_ORDER_DIRECTION the first derivative is a positive multiple of the target: of all
- * lengths of such tangents those are taken for which the integral of |C''|^2 over the pieces of the curve is
- * smallest, as nurbs_tangent_lengths() tells them. Other lengths are given derivatives, of order 1.
+/** \brief The curve with given points and derivatives, of any orders at any parameters.
+ *
+ * Derivative orders[i] at params[i] is target i. The orders and parameters are arbitrary as long as they
+ * determine a curve (Hermite's problem if each parameter has all orders up to its highest one, otherwise
+ * Birkhoff's). Clamped ends are given as derivatives at the first and last parameter.
+ *
+ * With NURBS_ORDER_DIRECTION the first derivative is a positive multiple of the target. Of all lengths of
+ * such tangents, those are used for which the integral of |C''|^2 over the pieces of the curve is smallest;
+ * nurbs_tangent_lengths() returns them. For a tangent of a given length, use order 1.
  * \param[in] degree of the curve; with directions 2 to 15.
  * \param[in] n number of conditions, and of control points, > degree.
- * \param[in] params [n] that do not decrease, in the domain of the knots.
+ * \param[in] params [n] not decreasing, in the domain of the knots.
  * \param[in] orders [n] or NULL for 0: orders of derivatives, 0 to degree, or NURBS_ORDER_DIRECTION, which is
  *   of order 1; rising where parameters are equal.
  * \param[in] dim dimension of the targets.
- * \param[in] targets [n][dim] points, derivatives and directions of any length but 0,
- *   whose factors are representable.
+ * \param[in] targets [n][dim] points, derivatives, and directions of any length but 0, whose factors
+ *   (nurbs_tangent_lengths()) are representable.
  * \param[in] target_stride,target_component_stride layout of targets, 0 = packed.
  * \param[in] knots [knot_count] or NULL: a full knot vector; NULL for nurbs_knots_averaged() of the
  *   parameters.
@@ -2481,12 +2497,13 @@ NURBS_API nurbs_status nurbs_interpolate_derivatives(int32_t axes, const int32_t
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _DIMENSION, _STRIDE,
  *   _OVERFLOW, _FLAGS, _POINT_NOT_FINITE, _PARAMETER_NOT_FINITE, _KNOT_NOT_FINITE, _END_MULTIPLICITY,
- *   _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _ORDER for one that is negative, above
- *   the degree or not more than the one before at the same parameter, or a direction with another degree,
- *   _KNOTS_DECREASING for knots or parameters that decrease, _SCHOENBERG_WHITNEY, _RANK if the conditions do
- *   not determine the curve, or least energy not the lengths, _NOT_REPRESENTABLE; _DIRECTION for one that is 0,
- *   _TANGENT naming a tangent that comes out against its direction, or with no length (not above 2^-40 of the
- *   longest one), _NOT_CONVERGED if lengths are not found to 2^-26.
+ *   _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS, _OUTSIDE_DOMAIN; _ORDER for an order that is negative,
+ *   above the degree, or not above the one before it at the same parameter, or for a direction if the degree
+ *   is not from 2 to 15, _KNOTS_DECREASING for knots or parameters that decrease, _SCHOENBERG_WHITNEY, _RANK
+ *   if the conditions do not determine the curve, or least energy does not determine the lengths,
+ *   _NOT_REPRESENTABLE; _DIRECTION for a direction that is 0, _TANGENT naming a tangent that would point
+ *   against its direction, or have no length (at most 2^-40 of the longest one), _NOT_CONVERGED if lengths
+ *   are not found to 2^-26.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const double *params,
                                                const int32_t *orders, int32_t dim, const double *targets,
@@ -2494,11 +2511,13 @@ NURBS_API nurbs_status nurbs_curve_interpolate(int32_t degree, int64_t n, const 
                                                const double *knots, int64_t knot_count, uint32_t flags,
                                                nurbs **out);
 
-/** \brief The lengths of tangents of which nurbs_curve_interpolate() is told the directions: factors that make
- * targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by 1, is the same,
- * bit for bit. Negative ones, which that function refuses, are told too: there the energy is smallest with the
- * tangent turned round. A direction that is multiplied by a power of two only divides its factor. The lengths
- * are those of linear equations, solved by preconditioned conjugate gradients in a time that grows with n.
+/** \brief The lengths of the tangents of which nurbs_curve_interpolate() is given only the directions.
+ *
+ * They are factors of the targets of all conditions: with each target multiplied by its factor, and
+ * NURBS_ORDER_DIRECTION replaced by 1, the curve is the same, bit for bit. Negative factors, which
+ * nurbs_curve_interpolate() refuses, are returned as well: there the energy is smallest with the tangent
+ * reversed. Multiplying a direction by a power of two only divides its factor by it. The lengths are the
+ * solution of linear equations, found by preconditioned conjugate gradients in a time that grows with n.
  * \param[in] degree as for nurbs_curve_interpolate().
  * \param[in] n as for nurbs_curve_interpolate().
  * \param[in] params [n] as for nurbs_curve_interpolate().
@@ -2518,28 +2537,32 @@ NURBS_API nurbs_status nurbs_tangent_lengths(int32_t degree, int64_t n, const do
                                              const double *knots, int64_t knot_count, uint32_t flags,
                                              double *lengths);
 
-/** \brief Derivatives at the points of a curve, each from a few points near it, so that nurbs_create_hermite()
- * makes a C^1 cubic that changes only near a point that moves. With the chords' slopes d_i = (P_(i+1) - P_i)
- * / h_i the tangent at P_i is
+/** \brief Derivatives at the points of a curve, each from a few points near it.
+ *
+ * From them nurbs_create_hermite() makes a C^1 cubic that changes only near a point that moves. With the
+ * slopes d_i = (P_(i+1) - P_i) / h_i of the chords, where h_i is the step of the parameters, the tangent at
+ * P_i is
  *
  *     (h_(i-1) d_(i-1) + h_i d_i) / (h_(i-1) + h_i)                     NURBS_TANGENTS_CATMULL_ROM
  *     (h_i d_(i-1) + h_(i-1) d_i) / (h_(i-1) + h_i)                     NURBS_TANGENTS_BESSEL
  *     (|d_(i+1) - d_i| d_(i-1) + |d_(i-1) - d_(i-2)| d_i) / (the sum)   NURBS_TANGENTS_AKIMA
  *
- * (of Akima's two weights that are 0 both count alike), and for NURBS_TANGENTS_MONOTONE, coordinate by
- * coordinate, 0 where the slopes have not one sign, else their harmonic mean with the weights 2 h_i + h_(i-1)
- * and h_i + 2 h_(i-1), less 2^-40 of it. The cubics of these points and tangents are monotone between the
- * data in each coordinate, and flat where the data are. (Splines of Catmull and Rom over centripetal
- * parameters are those of NURBS_TANGENTS_BESSEL.) At the ends of open data: the chord's slope, the
- * parabola's, Akima's extrapolation, and the parabola's as far as the curve stays monotone.
+ * If both of Akima's weights are 0, both slopes count equally. NURBS_TANGENTS_MONOTONE works on each
+ * coordinate by itself: the tangent is 0 where the two slopes do not have the same sign, otherwise their
+ * harmonic mean with the weights 2 h_i + h_(i-1) and h_i + 2 h_(i-1), less 2^-40 of it. The cubics of these
+ * points and tangents are monotone between the data in each coordinate, and flat where the data are.
+ * (Catmull-Rom splines over centripetal parameters are those of NURBS_TANGENTS_BESSEL.)
+ *
+ * At the ends of open data, the four rules use, in this order, the slope of the chord, the slope of the
+ * parabola, Akima's extrapolation, and the slope of the parabola as far as the curve stays monotone.
  * \param[in] rule a NURBS_TANGENTS_ constant.
  * \param[in] n number of points, at least 2.
  * \param[in] params [n] strictly increasing.
  * \param[in] dim dimension of the points.
  * \param[in] points [n][dim].
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] flags NURBS_PERIODIC if the last point is the first one again, bit for bit: so are then the
- *   tangents; or 0.
+ * \param[in] flags NURBS_PERIODIC if the last point repeats the first one bit for bit, as the tangents then
+ *   do; or 0.
  * \param[out] tangents [n][dim].
  * \param[in] tangent_stride,tangent_component_stride layout of tangents, 0 = packed.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _OVERLAP, _FLAGS,
@@ -2577,41 +2600,45 @@ NURBS_API nurbs_status nurbs_tangents(int32_t rule, int64_t n, const double *par
  *
  *     sum_i w_i |y_i - s(t_i)|^2 + lambda sum_k int (d^m s / dx_k^m)^2 dx
  *
- * over given knots, for values y_i of any dimension at parameters t_i on 1 to 3 axes; x_k is the parameter of
- * axis k as a part of its domain, from 0 to 1, so that lambda does not depend on the unit of parameters.
+ * over given knots, for values y_i of any dimension at parameters t_i on 1 to 3 axes. Here x_k is the
+ * parameter of axis k, scaled so that its domain is from 0 to 1; so lambda does not depend on the unit of
+ * parameters.
  *
- * All that a fit needs to know of the data are sums over the cells between breaks, which a nurbs_statistics
- * holds: knots among the breaks, degrees and smoothing are chosen afterwards, without the data. The sums are
- * exact, in integers. So statistics of parts can be made on many machines, added and subtracted in any order,
- * and are the same, bit for bit, as those of all data at once. What rounding remains is that of a value to
- * 2^-53 of its scale, of a parameter to 2^-53 of its cell, and of products of basis functions to 2^-62; the
- * equations are then solved with twice the precision, so that the error of a fit is about that of
- * orthogonal methods up to degree 15 or so. Where the data determine a control point no better than rounding
- * does, that is NURBS_ERROR_RANK. A lambda beside which 2^-64 of the sums would be left of the data, on average
- * of the control points, would only lose digits: the one where that begins is taken, and told by the report.
- * With up to some 10^4 control points of a curve, polynomials of degree m - 1 are left by then. Of surfaces and
- * volumes whose factors take more than 10^7 multiply-adds, large lambdas may be NURBS_ERROR_RANK.
+ * **Statistics.** All that a fit needs to know of the data are sums over the cells between breaks, which a
+ * nurbs_statistics holds. Knots (among the breaks), degrees and smoothing are chosen afterwards, without the
+ * data. The sums are exact integers. So the statistics of parts of the data can be made on many machines, and
+ * added and subtracted in any order; the result is the same, bit for bit, as for all data at once. The only
+ * rounding is that of a value to 2^-53 of its scale, of a parameter to 2^-53 of its cell, and of products of
+ * basis functions to 2^-62. The equations are then solved with twice the precision, so that the error of a
+ * fit is about that of orthogonal methods up to degree 15 or so. A control point that the data do not
+ * determine beyond rounding is NURBS_ERROR_RANK.
  *
- * Robust fits of points multiply the weights by factors, fit, and adjust these, until they change little: by
- * the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma sqrt(dim)). There sigma is the
- * median of sqrt(w_i) |y_i - s(t_i)| over that of normal errors of deviation 1, times sqrt(n / (n - t)) for n
- * data and the trace t of the influence matrix, and at least 2^-44 of the values with residuals up to the
- * median. Widths of 1.345 for Huber's function and 4.685 for Tukey's, which starts from Huber's fit and keeps
- * its sigma, cost 5 % of efficiency if there are no outliers. Data with x above 2^30 are left out. Where only
- * outliers determine a control point Tukey's is Huber's fit, and NURBS_FIT_NOT_CONVERGED is told.
+ * A given lambda is limited to 2^64 times the trace of the matrix of the data, divided by that of the
+ * penalty. A larger one would only lose digits of the data. The report has the lambda that was used. At the
+ * limit, a curve of up to some 10^4 control points is a polynomial of degree m - 1. For surfaces and volumes
+ * whose factorisation takes more than 10^7 multiply-adds, a large lambda may be NURBS_ERROR_RANK.
  *
- * Shapes and bounds are asked of the control points, and slopes between these, which is enough for the spline,
- * and for degrees from 2 on a little more than needed. Of all such splines the fit is the closest one to the
- * data, for the lambda that is best without the shape. The control points fulfil the inequalities exactly, as
- * doubles, on axes that are clamped or periodic, where conditions leave room for it: second differences of
- * convex and concave axes keep a distance of 2^-51 of the control points from 0 where these would be rounded
- * out of the shape. On other axes, where clamped ones are fitted and their ends moved then, and beside
- * conditions that leave no room, they fulfil them within rounding. Convexity and the like are those along each
- * axis by itself.
+ * **Robust fits** of points multiply the weights by factors, fit, and adjust the factors, until these change
+ * little. The factor of a datum is the NURBS_ROBUST_ function of x = sqrt(w_i) |y_i - s(t_i)| / (width sigma
+ * sqrt(dim)). Here sigma is the median of sqrt(w_i) |y_i - s(t_i)|, divided by that of normal errors of
+ * standard deviation 1, times sqrt(n / (n - t)) for n data and the trace t of the influence matrix; it is at
+ * least 2^-44 of the largest value whose residual is at most the median. The usual widths, 1.345 for Huber's
+ * function and 4.685 for Tukey's, cost 5 % of efficiency if there are no outliers. Tukey's function starts
+ * from Huber's fit and keeps its sigma. Data with x above 2^30 are left out. Where only outliers determine a
+ * control point, the result for Tukey's function is Huber's fit, with NURBS_FIT_NOT_CONVERGED.
+ *
+ * **Shapes and bounds** are imposed on the control points and on the slopes between them. This is sufficient
+ * for the spline, and for degrees from 2 on slightly more than necessary. Of all such splines the fit is the
+ * one closest to the data, for the lambda that is best without the shape. On axes that are clamped or
+ * periodic, the control points fulfil the inequalities exactly, as doubles, where conditions leave room for
+ * that; second differences of convex and concave axes keep a distance of 2^-51 of the control points from 0
+ * where rounding would otherwise move them out of the shape. On other axes, which are fitted as clamped ones
+ * whose ends are moved afterwards, and with conditions that leave no room, the inequalities hold within
+ * rounding. Convexity and the other shapes are those along each axis by itself.
  * @{ */
 
-/** \brief Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are
- * only ever appended. \since 1.1 */
+/** \brief Data: values at parameters, with weights. nurbs_data_init() sets all fields to 0 or NULL. Fields
+ * are only ever appended. \since 1.1 */
 typedef struct nurbs_data {
     int64_t struct_size;            /**< size of this struct as the caller knows it */
     int64_t n;                      /**< number of data, >= 0 */
@@ -2623,7 +2650,7 @@ typedef struct nurbs_data {
     const double *values;           /**< [n][dim] the values */
     int64_t value_stride;           /**< distance between values, 0 = packed */
     int64_t value_component_stride; /**< distance between components, 0 = 1 */
-    const double *weights;          /**< [n] or NULL for 1: weights >= 0; those of 0 leave a value out */
+    const double *weights;          /**< [n] or NULL for 1: weights >= 0; 0 leaves the value out */
     int64_t weight_stride;          /**< distance between weights, 0 = 1 */
     uint32_t flags;    /**< evaluation flags for params, without NURBS_EXTRAPOLATE; with NURBS_NAN a
                           parameter that is outside or not finite leaves its value out */
@@ -2637,15 +2664,17 @@ typedef struct nurbs_data {
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_data_init(nurbs_data *data, int64_t struct_size);
 
-/** \brief Statistics of no data, which say what statistics are to be about. Only those that agree in all of
- * this can be added. They take 24 bytes for each number that they hold about a cell with data, which are
- * product (2 degree + 1) + dim product (degree + 1) + dim + 1 numbers, products over the axes.
+/** \brief Statistics of no data, for given degrees, breaks, dimension and scales.
+ *
+ * Only statistics that agree in all of these can be added. They take 24 bytes for each number that they hold
+ * about a cell with data. These are product (2 degree + 1) + dim product (degree + 1) + dim + 1 numbers, with
+ * products over the axes.
  * \param[in] axes 1 to 3.
- * \param[in] degrees [axes] highest degrees of splines that are to be fitted.
+ * \param[in] degrees [axes] highest degrees of the splines that are to be fitted.
  * \param[in] break_counts [axes] number of breaks of each axis, >= 2.
- * \param[in] breaks [break_total] those of all axes, one after the other, increasing: the cells of an axis
- *   lie between them, and data from the first to the last one. Some 16 for each knot that is to be chosen
- *   leave room for the choice.
+ * \param[in] breaks [break_total] the breaks of all axes, one after the other, increasing along each axis.
+ *   The cells of an axis lie between them, and data from the first to the last one. Some 16 breaks for each
+ *   knot that is to be chosen leave room for the choice.
  * \param[in] break_total sum of break_counts.
  * \param[in] dim dimension of the values.
  * \param[in] value_scale > 0, at least the largest |coordinate| of a value; rounded up to a power of two.
@@ -2661,9 +2690,10 @@ NURBS_API nurbs_status nurbs_statistics_create(int32_t axes, const int32_t *degr
                                                int64_t break_total, int32_t dim, double value_scale,
                                                double weight_scale, nurbs_statistics **out);
 
-/** \brief Statistics with more data: those of the handle and those of the data, added as
- * nurbs_statistics_merge() does. The cost is that of the data and of all cells that hold any: many chunks are
- * better each added to statistics of no data, and then merged.
+/** \brief Statistics with more data: the sum of given statistics and those of the data.
+ *
+ * The sum is that of nurbs_statistics_merge(). The cost is that of the data and of all cells that hold any.
+ * So for many chunks it is better to add each one to statistics of no data, and then to merge the results.
  * \param[in] statistics a handle.
  * \param[in] data what to add; its axes and dim are those of the statistics.
  * \param[out] out the new handle.
@@ -2673,18 +2703,20 @@ NURBS_API nurbs_status nurbs_statistics_create(int32_t axes, const int32_t *degr
 NURBS_API nurbs_status nurbs_statistics_add(const nurbs_statistics *statistics, const nurbs_data *data,
                                             nurbs_statistics **out);
 
-/** \brief nurbs_statistics_add() as a call that can be watched and ended.
+/** \brief nurbs_statistics_add() with progress reports, cancellation and a limit of work.
  * \param[in] statistics as for nurbs_statistics_add().
  * \param[in] data as for nurbs_statistics_add().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_statistics_add(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_statistics_add_with(const nurbs_statistics *statistics, const nurbs_data *data,
                                                  const nurbs_call_options *call, nurbs_statistics **out);
 
-/** \brief The sum of statistics, some of them subtracted. It is exact: in any order, and with any partition of
- * the same data, the result is the same bit for bit, and what was added can be taken away again.
+/** \brief The sum of statistics, some of which may be subtracted.
+ *
+ * The sum is exact: it is the same, bit for bit, in any order and for any partition of the same data, and
+ * what was added can be subtracted again.
  * \param[in] count number of parts, >= 1.
  * \param[in] parts [count] handles that agree in degrees, breaks, dimension and scales.
  * \param[in] signs [count] or NULL for 1: 1 to add, -1 to subtract a part.
@@ -2719,9 +2751,11 @@ NURBS_API void nurbs_statistics_destroy(nurbs_statistics *statistics);
 NURBS_API nurbs_status nurbs_statistics_size(const nurbs_statistics *statistics, int32_t *axes, int32_t *dim,
                                              int64_t *count, int64_t *cells, double *weight);
 
-/** \brief Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever their
- * order. A header of 64 bytes has a signature, the version of the form, its size and a checksum that finds
- * every burst of errors of up to 64 bits.
+/** \brief Statistics as bytes, to be kept or sent.
+ *
+ * The bytes are the same on every machine for the same data, whatever the order of the data. A header of 64
+ * bytes has a signature, the version of the format, the size, and a checksum that finds every burst of errors
+ * of up to 64 bits.
  * \param[in] statistics a handle.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
@@ -2735,29 +2769,31 @@ NURBS_API nurbs_status nurbs_statistics_to_bytes(const nurbs_statistics *statist
  * \param[in] bytes [size] the bytes.
  * \param[in] size number of bytes.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT; _FORMAT for bytes that are no handle, or one of another kind,
- *   _TRUNCATED, _VERSION, _CHECKSUM, _SYNTAX for numbers that no statistics have, _KNOT_NOT_FINITE,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT; _FORMAT for bytes that are not a handle, or one of another
+ *   kind, _TRUNCATED, _VERSION, _CHECKSUM, _SYNTAX for numbers that no statistics have, _KNOT_NOT_FINITE,
  *   _OVERFLOW.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_statistics_from_bytes(const void *bytes, int64_t size, nurbs_statistics **out);
 
-/** \brief What a fit is to be besides close to the data. nurbs_fit_options_init() fills in the defaults, which
- * NULL stands for as well. Fields are only ever appended. \since 1.1 */
+/** \brief Settings of a fit: smoothing, conditions, robustness and shape. nurbs_fit_options_init() fills in
+ * the defaults, which NULL stands for as well. Fields are only ever appended. \since 1.1 */
 typedef struct nurbs_fit_options {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
-    int32_t smoothing;     /**< a NURBS_SMOOTHING_ constant; NURBS_SMOOTHING_NONE */
-    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1; 2 */
-    double lambda;         /**< the factor, for NURBS_SMOOTHING_LAMBDA, >= 0; 0 */
-    double target;      /**< for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0; 0 */
-    int32_t regularize; /**< 1: of several fits take that of the smallest penalty; 0: refuse them */
-    int32_t reserved;   /**< 0 */
-    int64_t conditions; /**< number of equations that have to hold, >= 0; 0 */
-    const double *condition_params;  /**< [conditions][axes] or NULL: where, packed */
+    int32_t smoothing;     /**< a NURBS_SMOOTHING_ constant; default NURBS_SMOOTHING_NONE */
+    int32_t penalty_order; /**< m, the order of the derivative that is penalised, >= 1; default 2 */
+    double lambda;         /**< the factor of the penalty, for NURBS_SMOOTHING_LAMBDA, >= 0; default 0 */
+    double target;         /**< for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0;
+                           default 0 */
+    int32_t regularize;    /**< 1: of several solutions take that of the smallest penalty; 0: refuse them */
+    int32_t reserved;      /**< 0 */
+    int64_t conditions;    /**< number of equations that the fit has to fulfil, >= 0; default 0 */
+    const double *condition_params;  /**< [conditions][axes] or NULL: parameters, packed */
     const int32_t *condition_orders; /**< [conditions][axes] or NULL for 0: orders of derivatives */
     const double *condition_targets; /**< [conditions][dim] or NULL: points and derivatives, packed */
-    int32_t robust; /**< a NURBS_ROBUST_ constant, for fits of points over given knots; NURBS_ROBUST_NONE */
+    int32_t robust; /**< a NURBS_ROBUST_ constant; others than NURBS_ROBUST_NONE, the default, are for fits of
+                       points over given knots */
     int32_t reserved2;     /**< 0 */
-    double robust_width;   /**< where outliers begin, in standard deviations, >= 0; 0: the usual one */
+    double robust_width;   /**< where outliers begin, in standard deviations, >= 0; 0: the usual width */
     const int32_t *shapes; /**< [axes][dim] or NULL: sums of NURBS_TREND_ constants, or 0 */
     const double *lower;   /**< [dim] or NULL: lower bounds of coordinates; -INFINITY for none */
     const double *upper;   /**< [dim] or NULL: upper bounds of coordinates; INFINITY for none */
@@ -2770,21 +2806,21 @@ typedef struct nurbs_fit_options {
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_options_init(nurbs_fit_options *options, int64_t struct_size);
 
-/** \brief What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields
- * are only ever appended. \since 1.1 */
+/** \brief What is known of a fit. Set struct_size to sizeof(nurbs_fit_report); all other fields are results.
+ * Fields are only ever appended. \since 1.1 */
 typedef struct nurbs_fit_report {
-    int64_t struct_size; /**< size of this struct as the caller knows it */
-    int64_t data_count;  /**< receives the number of data that count */
-    double weight;       /**< receives the sum of their weights */
-    double squares;      /**< receives sum_i w_i |y_i - s(t_i)|^2 */
-    double rms;          /**< receives the square root of squares / weight */
-    double lambda;       /**< receives the factor of the penalty that was taken */
-    double freedom;      /**< receives the trace of the influence matrix: the parameters that count */
-    double sigma;        /**< receives the standard deviation of a coordinate of weight 1 by the residuals; of
-                            robust fits by their median */
-    double residual;     /**< receives |G x + lambda P x - r| / |r| of the normal equations */
-    double largest;      /**< receives the largest |y_i - s(t_i)|; NaN from nurbs_fit() */
-    int64_t largest_index; /**< receives where that is; -1 from nurbs_fit() */
+    int64_t struct_size;   /**< size of this struct as the caller knows it */
+    int64_t data_count;    /**< receives the number of data that count */
+    double weight;         /**< receives the sum of their weights */
+    double squares;        /**< receives sum_i w_i |y_i - s(t_i)|^2 */
+    double rms;            /**< receives the square root of squares / weight */
+    double lambda;         /**< receives the factor of the penalty that was taken */
+    double freedom;        /**< receives the trace of the influence matrix: effective number of parameters */
+    double sigma;          /**< receives the standard deviation of a coordinate of weight 1, from residuals;
+                            of robust fits from their median */
+    double residual;       /**< receives |G x + lambda P x - r| / |r| of the normal equations */
+    double largest;        /**< receives the largest |y_i - s(t_i)|; NaN from nurbs_fit() */
+    int64_t largest_index; /**< receives the index of that datum; -1 from nurbs_fit() */
     int32_t bits;          /**< receives a sum of NURBS_FIT_ bits */
     int32_t rounds;        /**< receives the number of fits that a robust fit took, else 1 */
     int64_t outliers;      /**< receives the number of data with x > 1 of a robust fit, else 0 */
@@ -2794,30 +2830,31 @@ typedef struct nurbs_fit_report {
  * \param[in] statistics a handle.
  * \param[in] degrees [axes] at most those of the statistics.
  * \param[in] counts [axes] number of control points of each axis, on periodic ones with the copies.
- * \param[in] knots [knot_count] full knot vectors of all axes, one after the other; knots in a domain are
- *   breaks of the statistics, and its ends are the first and last ones.
+ * \param[in] knots [knot_count] full knot vectors of all axes, one after the other; knots inside a domain are
+ *   breaks of the statistics, and its ends are the first and last breaks.
  * \param[in] knot_count sum of (count + degree + 1).
  * \param[in] flags NURBS_PERIODIC per axis.
- * \param[in] options or NULL: what is wanted.
- * \param[in,out] report or NULL: where answers go.
+ * \param[in] options or NULL: smoothing, conditions and shape.
+ * \param[in,out] report or NULL: receives what is known of the fit.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _COUNT, _TOO_FEW_POINTS, _SIZE, _OVERFLOW, _FLAGS,
  *   _KNOT_NOT_FINITE, _KNOTS_DECREASING, _END_MULTIPLICITY, _MULTIPLICITY, _EMPTY_DOMAIN, _PERIODIC_KNOTS;
- *   _NOT_A_KNOT for a knot that is no break, _OUTSIDE_DOMAIN for another domain, or a condition outside it,
- *   _OPTIONS, _RULE for another smoothing, _ORDER for a penalty above all degrees or an order of a condition
- *   that is negative or above the degree, _FACTOR for a lambda or target that is negative or not finite,
- *   _PARAMETER_NOT_FINITE, _POINT_NOT_FINITE for conditions, _CONTRADICTION naming one; _RANK naming a control
- *   point that the data do not determine, _NOT_REPRESENTABLE. For shapes: _RULE for opposite ones, or one along
- *   a periodic axis, _ORDER for a convex axis of degree 0, _MULTIPLICITY for one with a knot of multiplicity
- *   degree + 1 inside, _POINT_NOT_FINITE for a bound that is NaN, _CONTRADICTION for bounds that cross, or
- *   where no spline fulfils conditions and shape. _RULE also for a robust fit, which needs the data.
+ *   _NOT_A_KNOT for a knot that is not a break, _OUTSIDE_DOMAIN for another domain, or a condition outside
+ *   it, _OPTIONS, _RULE for another smoothing, _ORDER for a penalty above all degrees or an order of a
+ *   condition that is negative or above the degree, _FACTOR for a lambda or target that is negative or not
+ *   finite, _PARAMETER_NOT_FINITE, _POINT_NOT_FINITE for conditions, _CONTRADICTION naming one; _RANK naming
+ *   a control point that the data do not determine, _NOT_REPRESENTABLE. For shapes: _RULE for opposite ones,
+ *   or one along a periodic axis, _ORDER for a convex axis of degree 0, _MULTIPLICITY for one with a knot of
+ *   multiplicity degree + 1 inside, _POINT_NOT_FINITE for a bound that is NaN, _CONTRADICTION for bounds that
+ *   cross, or where no spline fulfils conditions and shape. _RULE also for a robust fit, which needs the
+ *   data.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32_t *degrees,
                                  const int64_t *counts, const double *knots, int64_t knot_count,
                                  uint32_t flags, const nurbs_fit_options *options, nurbs_fit_report *report,
                                  nurbs **out);
 
-/** \brief nurbs_fit() as a call that can be watched and ended.
+/** \brief nurbs_fit() with progress reports, cancellation and a limit of work.
  * \param[in] statistics as for nurbs_fit().
  * \param[in] degrees as for nurbs_fit().
  * \param[in] counts as for nurbs_fit().
@@ -2826,7 +2863,7 @@ NURBS_API nurbs_status nurbs_fit(const nurbs_statistics *statistics, const int32
  * \param[in] flags as for nurbs_fit().
  * \param[in] options as for nurbs_fit().
  * \param[in,out] report as for nurbs_fit().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_fit(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -2835,16 +2872,18 @@ NURBS_API nurbs_status nurbs_fit_with(const nurbs_statistics *statistics, const 
                                       uint32_t flags, const nurbs_fit_options *options,
                                       nurbs_fit_report *report, const nurbs_call_options *call, nurbs **out);
 
-/** \brief The spline over given knots that is closest to data: nurbs_fit() of their statistics, with the knots
- * as breaks and the largest value and weight as scales, in memory that does not depend on the number of data.
+/** \brief The spline over given knots that is closest to data.
+ *
+ * It is nurbs_fit() of the statistics of the data, with the knots as breaks and the largest value and weight
+ * as scales, in memory that does not depend on the number of data.
  * \param[in] data the data.
  * \param[in] degrees [axes] degrees.
  * \param[in] counts [axes] number of control points of each axis, on periodic ones with the copies.
  * \param[in] knots [knot_count] full knot vectors of all axes, one after the other; data lie in the domain.
  * \param[in] knot_count sum of (count + degree + 1).
  * \param[in] flags NURBS_PERIODIC per axis.
- * \param[in] options or NULL: what is wanted.
- * \param[in,out] report or NULL: where answers go.
+ * \param[in] options or NULL: smoothing, conditions, robustness and shape.
+ * \param[in,out] report or NULL: receives what is known of the fit.
  * \param[out] out the new handle.
  * \return as for nurbs_fit(), and NURBS_ERROR_AXES, _DIMENSION, _STRIDE, _PARAMETER_NOT_FINITE,
  *   _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _FACTOR for a width that is
@@ -2855,7 +2894,7 @@ NURBS_API nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *d
                                         const nurbs_fit_options *options, nurbs_fit_report *report,
                                         nurbs **out);
 
-/** \brief nurbs_fit_points() as a call that can be watched and ended.
+/** \brief nurbs_fit_points() with progress reports, cancellation and a limit of work.
  * \param[in] data as for nurbs_fit_points().
  * \param[in] degrees as for nurbs_fit_points().
  * \param[in] counts as for nurbs_fit_points().
@@ -2864,7 +2903,7 @@ NURBS_API nurbs_status nurbs_fit_points(const nurbs_data *data, const int32_t *d
  * \param[in] flags as for nurbs_fit_points().
  * \param[in] options as for nurbs_fit_points().
  * \param[in,out] report as for nurbs_fit_points().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_fit_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -2874,32 +2913,34 @@ NURBS_API nurbs_status nurbs_fit_points_with(const nurbs_data *data, const int32
                                              nurbs_fit_report *report, const nurbs_call_options *call,
                                              nurbs **out);
 
-/** \brief Pointwise standard errors of a fit: sigma sqrt(b(t) (G + lambda P)^-1 b(t)) for the functions b, the
- * matrix G of the data and P of the penalty: what each coordinate of the fit may be off, if those of data of
- * weight w have the standard deviation sigma / sqrt(w). Without a penalty that is the error of least squares;
- * with one it is Bayesian, and 1.96 of it on both sides cover the true function at 95 % of all places (Wahba
- * 1983). Conditions, shapes and factors of robust fits are not regarded.
- * \param[in] statistics those of the data that were fitted.
+/** \brief Pointwise standard errors of a fit.
+ *
+ * The standard error is sigma sqrt(b(t) (G + lambda P)^-1 b(t)), with the basis functions b, the matrix G of
+ * the data and the matrix P of the penalty: how far each coordinate of the fit may be off if the coordinates
+ * of data of weight w have the standard deviation sigma / sqrt(w). Without a penalty it is the error of least
+ * squares. With one it is Bayesian, and 1.96 of it on both sides cover the true function at 95 % of all
+ * places (Wahba 1983). Conditions, shapes and factors of robust fits are disregarded.
+ * \param[in] statistics statistics of the data that were fitted.
  * \param[in] g the fit, or any spline over its knots: only the knots count.
  * \param[in] penalty_order order of the derivative that was penalised, >= 1; not read for a lambda of 0.
- * \param[in] lambda its factor, >= 0, as the report of the fit tells it.
- * \param[in] sigma >= 0, as the report of the fit tells it.
+ * \param[in] lambda factor of the penalty, >= 0, as in the report of the fit.
+ * \param[in] sigma standard deviation, >= 0, as in the report of the fit.
  * \param[in] n number of parameters, >= 0.
- * \param[in] params [n][axes] where.
+ * \param[in] params [n][axes] the parameters.
  * \param[in] param_stride distance between parameters, 0 = packed.
  * \param[in] param_component_stride distance between components, 0 = 1.
  * \param[in] flags evaluation flags, without NURBS_EXTRAPOLATE.
- * \param[out] errors [n] receives them.
+ * \param[out] errors [n] receives the standard errors.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES for a spline with another number of axes, _COUNT, _STRIDE,
- *   _OVERFLOW, _FLAGS, _OVERLAP, _DEGREE, _NOT_A_KNOT, _OUTSIDE_DOMAIN, _PARAMETER_NOT_FINITE, _ORDER, _FACTOR,
- *   _RANK.
+ *   _OVERFLOW, _FLAGS, _OVERLAP, _DEGREE, _NOT_A_KNOT, _OUTSIDE_DOMAIN, _PARAMETER_NOT_FINITE, _ORDER,
+ *   _FACTOR, _RANK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_errors(const nurbs_statistics *statistics, const nurbs *g,
                                         int32_t penalty_order, double lambda, double sigma, int64_t n,
                                         const double *params, int64_t param_stride,
                                         int64_t param_component_stride, uint32_t flags, double *errors);
 
-/** \brief nurbs_fit_errors() as a call that can be watched and ended.
+/** \brief nurbs_fit_errors() with progress reports, cancellation and a limit of work.
  * \param[in] statistics as for nurbs_fit_errors().
  * \param[in] g as for nurbs_fit_errors().
  * \param[in] penalty_order as for nurbs_fit_errors().
@@ -2911,7 +2952,7 @@ NURBS_API nurbs_status nurbs_fit_errors(const nurbs_statistics *statistics, cons
  * \param[in] param_component_stride as for nurbs_fit_errors().
  * \param[in] flags as for nurbs_fit_errors().
  * \param[out] errors as for nurbs_fit_errors().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_fit_errors(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_errors_with(const nurbs_statistics *statistics, const nurbs *g,
@@ -2920,17 +2961,19 @@ NURBS_API nurbs_status nurbs_fit_errors_with(const nurbs_statistics *statistics,
                                              int64_t param_component_stride, uint32_t flags, double *errors,
                                              const nurbs_call_options *call);
 
-/** \brief What each of some factors of the penalty leads to, as it is compared by NURBS_SMOOTHING_GCV and
- * _REML: with n data, N control points and M of them that no penalty determines, R = sum_i w_i |y_i - s(t_i)|^2
- * and the trace t of the influence matrix, GCV is n R / (n - t)^2, and REML (n - M) log(R + lambda P) + log
- * det(G + lambda P) - (N - M) log lambda. Where rounding makes t unsure GCV is infinite, and with N >= n, where
- * it ends in 0 / 0, also where n - t is not above 2^-10 n: NURBS_SMOOTHING_GCV passes over such factors.
+/** \brief What NURBS_SMOOTHING_GCV and NURBS_SMOOTHING_REML compare, for each of some factors of the penalty.
+ *
+ * With n data, N control points, M of them that no penalty determines, R = sum_i w_i |y_i - s(t_i)|^2 and the
+ * trace t of the influence matrix, GCV is n R / (n - t)^2, and REML is (n - M) log(R + lambda P) + log
+ * det(G + lambda P) - (N - M) log lambda, where P is the penalty, or its matrix, and G the matrix of the
+ * data. Where rounding makes t uncertain, GCV is infinite. With N >= n, where it ends in 0 / 0, it is also
+ * infinite where n - t is not above 2^-10 n. NURBS_SMOOTHING_GCV passes over such factors.
  * \param[in] statistics a handle.
- * \param[in] g a spline: only its knots count, which are to be as for nurbs_fit().
+ * \param[in] g a spline of which only the knots count; they have to be as for nurbs_fit().
  * \param[in] penalty_order order of the derivative that is penalised, >= 1.
  * \param[in] n number of factors, >= 0.
  * \param[in] lambdas [n] factors, > 0.
- * \param[out] values [n][4] receives R, t, GCV and REML of each.
+ * \param[out] values [n][4] receives R, t, GCV and REML for each factor.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _DEGREE, _NOT_A_KNOT,
  *   _OUTSIDE_DOMAIN, _ORDER, _FACTOR, _RANK.
  * \since 1.1 */
@@ -2938,40 +2981,42 @@ NURBS_API nurbs_status nurbs_fit_criteria(const nurbs_statistics *statistics, co
                                           int32_t penalty_order, int64_t n, const double *lambdas,
                                           double *values);
 
-/** \brief nurbs_fit_criteria() as a call that can be watched and ended.
+/** \brief nurbs_fit_criteria() with progress reports, cancellation and a limit of work.
  * \param[in] statistics as for nurbs_fit_criteria().
  * \param[in] g as for nurbs_fit_criteria().
  * \param[in] penalty_order as for nurbs_fit_criteria().
  * \param[in] n as for nurbs_fit_criteria().
  * \param[in] lambdas as for nurbs_fit_criteria().
  * \param[out] values as for nurbs_fit_criteria().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_fit_criteria(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_criteria_with(const nurbs_statistics *statistics, const nurbs *g,
                                                int32_t penalty_order, int64_t n, const double *lambdas,
                                                double *values, const nurbs_call_options *call);
 
-/** \brief A spline with few control points that no datum is farther from than a tolerance. Knots lie where a
- * first fit over even ones says that they are needed, and as often at one place as a kink or a jump of the data
- * asks for; as many as the tolerance needs are found with some of the data, and checked with all. With several
- * axes each has as many as it needs beside the others. Where data leave control points open, the fit with the
- * smallest penalty is taken. Where the limit of work ends the search, a tolerance may be met with more control
- * points than it needs, or missed.
+/** \brief A spline with few control points from which no datum is farther than a tolerance.
+ *
+ * Knots are placed where a first fit over even knots shows that they are needed, and as often at one place as
+ * a kink or a jump of the data requires. Their number is found with some of the data, and checked with all.
+ * With several axes, each has as many as it needs beside the others. Where the data leave control points
+ * undetermined, the fit with the smallest penalty is taken. Where the limit of work ends the search, a
+ * tolerance may be met with more control points than it needs, or missed.
  * \param[in] data the data.
  * \param[in] degrees [axes] degrees.
  * \param[in] domain [axes][2] or NULL: start and end of each axis; NULL for the range of the parameters.
  * \param[in] tolerance >= 0, the largest distance |y_i - s(t_i)| that is allowed.
- * \param[in] max_count most control points, with the copies of periodic axes; 0: as many as data.
+ * \param[in] max_count largest number of control points, with the copies of periodic axes; 0: as many as
+ *   data.
  * \param[in] flags NURBS_PERIODIC per axis.
- * \param[in] options or NULL: what is wanted besides; regularize is not read.
- * \param[in,out] report or NULL: where answers go; its bits have NURBS_FIT_TARGET_MISSED if the result is only
- *   the closest one that was met.
+ * \param[in] options or NULL: smoothing, conditions and shape; regularize is not read.
+ * \param[in,out] report or NULL: receives what is known of the fit; its bits have NURBS_FIT_TARGET_MISSED if
+ *   the result is only the closest one that was found.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS, _DEGREE,
- *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE, _RULE,
- *   also for a robust fit, _ORDER, _FACTOR, _CONTRADICTION, _NOT_REPRESENTABLE; _TOLERANCE for
- *   one that is negative or NaN, _EMPTY_DOMAIN for a domain without length, _COUNT also for no data,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OPTIONS, _AXES, _COUNT, _DIMENSION, _STRIDE, _OVERFLOW, _FLAGS,
+ *   _DEGREE, _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE, _WEIGHT_NEGATIVE,
+ *   _RULE, also for a robust fit, _ORDER, _FACTOR, _CONTRADICTION, _NOT_REPRESENTABLE; _TOLERANCE for one
+ *   that is negative or NaN, _EMPTY_DOMAIN for a domain without length, _COUNT also for no data,
  *   _TOO_FEW_POINTS for a max_count below the product of degree + 1.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t *degrees,
@@ -2979,7 +3024,7 @@ NURBS_API nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t
                                            uint32_t flags, const nurbs_fit_options *options,
                                            nurbs_fit_report *report, nurbs **out);
 
-/** \brief nurbs_fit_tolerance() as a call that can be watched and ended.
+/** \brief nurbs_fit_tolerance() with progress reports, cancellation and a limit of work.
  * \param[in] data as for nurbs_fit_tolerance().
  * \param[in] degrees as for nurbs_fit_tolerance().
  * \param[in] domain as for nurbs_fit_tolerance().
@@ -2988,7 +3033,7 @@ NURBS_API nurbs_status nurbs_fit_tolerance(const nurbs_data *data, const int32_t
  * \param[in] flags as for nurbs_fit_tolerance().
  * \param[in] options as for nurbs_fit_tolerance().
  * \param[in,out] report as for nurbs_fit_tolerance().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_fit_tolerance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -2998,35 +3043,37 @@ NURBS_API nurbs_status nurbs_fit_tolerance_with(const nurbs_data *data, const in
                                                 nurbs_fit_report *report, const nurbs_call_options *call,
                                                 nurbs **out);
 
-/** \brief A polynomial spline of given degrees with few control points that is proven to be within a tolerance
- * of another spline at all parameters: rational by polynomial, high degree by low, many knots by few. Samples
- * are fitted as nurbs_fit_tolerance() does, and the result is compared with g as nurbs_deviation() does. The
- * corners of a fit are those of g bit for bit, jumps and kinks stay where they are if max_count and the limit
- * of work have room for them, periodic axes stay periodic. A polynomial g of no higher degrees is returned
- * itself, with its degrees raised, where nothing simpler is found. Where the limit of work ends the search, a
- * tolerance may be met with more control points than it needs, or missed.
+/** \brief A polynomial spline with few control points, proven to be within a tolerance of another spline.
+ *
+ * The distance is that at equal parameters, at all of them. So a rational spline can be replaced by a
+ * polynomial one, a high degree by a low one, or many knots by few. Samples of g are fitted as by
+ * nurbs_fit_tolerance(), and the result is compared with g as by nurbs_deviation(). The corners of a fit are
+ * those of g, bit for bit. Jumps and kinks stay where they are if max_count and the limit of work have room
+ * for them, and periodic axes stay periodic. A polynomial g of no higher degrees is returned itself, with its
+ * degrees raised, where nothing simpler is found. Where the limit of work ends the search, a tolerance may be
+ * met with more control points than it needs, or missed.
  * \param[in] g a spline.
  * \param[in] degrees [axes] or NULL: degrees of the result; NULL for those of g.
- * \param[in] tolerance >= 0, the largest distance that is allowed; with 0 only a polynomial g of these degrees
- *   is met.
- * \param[in] max_count most control points; 0: no limit but that of the samples.
+ * \param[in] tolerance >= 0, the largest distance that is allowed; 0 is met only by a polynomial g of no
+ *   higher degrees.
+ * \param[in] max_count largest number of control points; 0: no limit but that of the samples.
  * \param[out] bound or NULL: an upper bound of the distance, above the tolerance if the result is only the
- *   closest one that was met.
+ *   closest one that was found.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DEGREE, _TOLERANCE, _COUNT; _TOO_FEW_POINTS for a max_count below the
- *   product of degree + 1, _OVERFLOW, _NOT_REPRESENTABLE; _NOT_CONVERGED where even the simplest fit takes more
- *   work than its limit.
+ *   product of degree + 1, _OVERFLOW, _NOT_REPRESENTABLE; _NOT_CONVERGED where even the simplest fit takes
+ *   more work than its limit.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_approximate(const nurbs *g, const int32_t *degrees, double tolerance,
                                          int64_t max_count, double *bound, nurbs **out);
 
-/** \brief nurbs_approximate() as a call that can be watched and ended.
+/** \brief nurbs_approximate() with progress reports, cancellation and a limit of work.
  * \param[in] g as for nurbs_approximate().
  * \param[in] degrees as for nurbs_approximate().
  * \param[in] tolerance as for nurbs_approximate().
  * \param[in] max_count as for nurbs_approximate().
  * \param[out] bound as for nurbs_approximate().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_approximate(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -3034,14 +3081,16 @@ NURBS_API nurbs_status nurbs_approximate_with(const nurbs *g, const int32_t *deg
                                               int64_t max_count, double *bound,
                                               const nurbs_call_options *call, nurbs **out);
 
-/** \brief A spline from which nurbs_fit_cloud() can begin, found from points without parameters: linear along
- * each axis in one of the principal directions of the points, from their mean as far as they reach, axis 0 in
- * the first one. A periodic curve is the ellipse in the plane of the first two directions whose variances are
- * those of the points, as far as the knots allow; a surface that is periodic along one axis is an elliptic
- * cylinder, around that of the first three directions from which the points are most evenly far. Nothing is
- * found for surfaces closed along both axes, nor for clouds that a plane or a cylinder is far from, as a spiral
- * is from a line: then the caller has to know where to begin. Points that span less than the axes do make a
- * start that is collapsed. The order of the points does not matter.
+/** \brief A spline from which nurbs_fit_cloud() can begin, found from points without parameters.
+ *
+ * It is linear along each axis, in one of the principal directions of the points, axis 0 in the first one; it
+ * goes through their mean, and as far as they reach. A periodic curve is an ellipse in the plane of the first
+ * two directions, with the variances of the points, as far as the knots allow. A surface that is periodic
+ * along one axis is an elliptic cylinder, around that of the first three directions from which the distances
+ * of the points vary least. No start is found for surfaces that are closed along both axes, and none that is
+ * good for clouds far from a plane or a cylinder, as a spiral is far from a line: for these the caller has to
+ * supply one. Points that span fewer dimensions than there are axes give a start that is collapsed. The order
+ * of the points does not matter.
  * \param[in] axes 1 to 3, less than dim.
  * \param[in] degrees [axes] degrees.
  * \param[in] counts [axes] number of control points of each axis, on periodic ones with the copies.
@@ -3063,15 +3112,15 @@ NURBS_API nurbs_status nurbs_cloud_start(int32_t axes, const int32_t *degrees, c
                                          const double *points, int64_t point_stride,
                                          int64_t point_component_stride, uint32_t flags, nurbs **out);
 
-/** \brief How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands
+/** \brief Settings of nurbs_fit_cloud(). nurbs_cloud_options_init() fills in the defaults, which NULL stands
  * for as well. Fields are only ever appended. \since 1.1 */
 typedef struct nurbs_cloud_options {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
-    int32_t penalty_order; /**< m, the derivative that is penalised, >= 1, at most the highest degree; 2 */
-    int32_t rounds;        /**< most searches for the nearest points of all points, >= 1; 100 */
-    double lambda;         /**< the factor of the penalty; below 0: found; -1 */
-    double first_lambda;   /**< the factor to begin with, which falls to lambda; below 0: found; -1 */
-    double tolerance;      /**< the smallest part of the sum whose loss is worth a step, >= 0; 1e-3 */
+    int32_t penalty_order; /**< m, the order of the derivative that is penalised, >= 1; default 2 */
+    int32_t rounds;        /**< most searches for the nearest points of all points, >= 1; default 100 */
+    double lambda;         /**< the factor of the penalty; below 0: found; default -1 */
+    double first_lambda;   /**< the factor at the start, which falls to lambda; below 0: found; default -1 */
+    double tolerance;      /**< the smallest relative decrease of the sum worth a step, >= 0; default 1e-3 */
 } nurbs_cloud_options;
 
 /** \brief Fills an options struct with the defaults.
@@ -3081,8 +3130,8 @@ typedef struct nurbs_cloud_options {
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_cloud_options_init(nurbs_cloud_options *options, int64_t struct_size);
 
-/** \brief What nurbs_fit_cloud() tells. Set struct_size to sizeof(nurbs_cloud_report); all other fields are
- * answers. Fields are only ever appended. \since 1.1 */
+/** \brief What is known of a fit by nurbs_fit_cloud(). Set struct_size to sizeof(nurbs_cloud_report); all
+ * other fields are results. Fields are only ever appended. \since 1.1 */
 typedef struct nurbs_cloud_report {
     int64_t struct_size;   /**< size of this struct as the caller knows it */
     int64_t data_count;    /**< receives the number of points that count: those of a weight above 0 */
@@ -3090,74 +3139,81 @@ typedef struct nurbs_cloud_report {
     double squares;        /**< receives sum_i w_i d_i^2, d_i the distance of point i from the result */
     double rms;            /**< receives the square root of squares / weight */
     double largest;        /**< receives the largest d_i */
-    int64_t largest_index; /**< receives where that is */
+    int64_t largest_index; /**< receives the index of that point */
     double lambda;         /**< receives the last factor of the penalty */
-    double noise;     /**< receives a bound of how far a d_i is from the true distance, if it is certified */
-    int64_t boundary; /**< receives the number of points whose nearest point is on an end or an edge */
-    int64_t uncertified; /**< receives the number of points whose nearest point is not proven to be that */
-    int32_t rounds;      /**< receives the number of searches for the nearest points of all points */
-    int32_t bits;        /**< receives a sum of NURBS_CLOUD_ bits */
+    double noise;          /**< receives a bound of the error of a d_i, if its nearest point is certified */
+    int64_t boundary;      /**< receives the number of points whose nearest point is on an end or an edge */
+    int64_t uncertified;   /**< receives the number of points whose nearest point is not proven */
+    int32_t rounds;        /**< receives the number of searches for the nearest points of all points */
+    int32_t bits;          /**< receives a sum of NURBS_CLOUD_ bits */
 } nurbs_cloud_report;
 
-/** \brief The spline, over the knots of a start, that is closest to points without parameters: a minimum, which
- * is reached from the start, of
+/** \brief The spline, over the knots of a start, that is closest to points without parameters.
+ *
+ * It is a minimum, reached from the start, of
  *
  *     sum_i w_i min_t |x_i - s(t)|^2 + lambda sum_k int (d^m s / dx_k^m)^2 dx
  *
- * with x_k the parameter of axis k as a part of its domain, and the highest degree for an m above it. Each
- * round finds the nearest point of s for each x_i, with a proof if a few pieces are enough for one, as
- * nurbs_closest_points() does. Then the squared distance to a spline that moves is taken as
- * (r - m)^T W (r - m), for the step r to the point and the movement m of the foot: in directions normal to s,
- * W is 1; in those of principal curvatures K / (1 + K), where K is |r| over the radius, on the outer side, and
- * 0 on the inner one; 1 where the foot stays, at ends, edges and kinks. That lies between the distances to the
- * tangent and to the foot (Wang, Pottmann & Liu 2006). The step that makes the sum least is taken if the true
- * sum falls, else a shorter one (Levenberg 1944, Marquardt 1963), so that it never rises.
+ * where x_k is the parameter of axis k, scaled so that its domain is from 0 to 1. An m above the highest
+ * degree counts as the highest degree.
  *
- * lambda falls between rounds, at most by a factor of 8, from first_lambda to lambda. If these are to be found,
- * it begins, for a start without a shape of its own, as a line or a plane, where it allows next to none, and
- * goes on to the quotient of two variances, of the distances and of what is penalised: sum_i w_i d_i^2 N / n
- * over the penalty, N control points times the dimensions that a spline leaves, n points (Wood & Fasiolo 2017).
- * So it vanishes with the distances, and points on a spline over these knots are met to rounding from a start
- * that is near it. From one that is not, parameters may have to slide far along a shape that is almost right,
- * which takes more rounds than there are.
+ * **Rounds.** Each round finds the nearest point of s for each x_i, its foot, as nurbs_closest_points() does,
+ * with a proof if a few pieces are enough for one. Then the squared distance to the moving spline is modelled
+ * as (r - m)^T W (r - m), where r leads from the foot to the point, and m, here, is the movement of the foot.
+ * W is 1 in directions normal to s. In a principal direction of curvature it is K / (1 + K) on the outer
+ * side, where K is |r| over the radius of curvature, and 0 on the inner side. It is 1 where the foot stays,
+ * at ends, edges and kinks. This model lies between the distances to the tangent and to the foot (Wang,
+ * Pottmann & Liu 2006). The step that makes the sum of the models least is taken if the true sum falls,
+ * otherwise a shorter one (Levenberg 1944, Marquardt 1963); so the sum never rises.
  *
- * The result is the same bit for bit in whatever order the points are given, and is scaled as the points and
- * the start are, to rounding (by powers of two bit for bit). Ends are free: those of a curve come to the
- * outermost points, but nothing draws back what reaches beyond them. Periodic axes stay periodic. Control
- * points that no point is near, as with fewer points than control points, go where smoothing and damping leave
- * them. The minimum is a local one: feet do not jump from one part of s to another that lies behind it.
+ * **The penalty.** Between rounds lambda falls, at most by a factor of 8, from first_lambda to lambda. If
+ * these are to be found, and the start has no shape of its own, as a line or a plane, lambda begins where it
+ * allows almost no shape. It goes on to the quotient of two variances, that of the distances and that of what
+ * is penalised: sum_i w_i d_i^2 N / n over the penalty, where N is the number of control points times the
+ * number of dimensions across the spline, and n the number of points (Wood & Fasiolo 2017). So lambda
+ * vanishes with the distances, and points on a spline over these knots are met to rounding from a start that
+ * is near it. From a start that is not near it, parameters may have to slide far along a shape that is almost
+ * right, which takes more rounds than there are. Where lambda is so large that bends are less than 2^-26 of
+ * what they are without it, it acts as the lambda at which that begins: polynomials of degree m - 1 are left,
+ * and smaller bends would only lose digits.
  *
- * Distances are those of the stored result, as it is evaluated. None is below the true one by more than
- * noise; where uncertified is 0 none is above it by more either, so that largest and rms are proven to within
- * noise. Proofs are looked for as long as the nearest points of a shape with tangents need. On one that has
- * collapsed, to a curve or a point, whole lines of parameters are as near: there, points may stay uncertified.
+ * **The result** is the same, bit for bit, for any order of the points, and it scales with the points and the
+ * start, to rounding (by powers of two bit for bit). Ends are free: those of a curve come to the outermost
+ * points, but nothing draws back what reaches beyond them. Periodic axes stay periodic. Control points that
+ * no point is near, as with fewer points than control points, go where smoothing and damping leave them. The
+ * minimum is a local one: feet do not jump from one part of s to another that lies behind it. Points whose
+ * distance from 0 is large compared with their extent are fitted about their middle, without loss: only the
+ * control points of the result, and its distances, are rounded as coordinates of that size are.
  *
- * Points far from 0 beside their extent are fitted about their middle, with no loss: only the control points of
- * the result, and its distances, are rounded as coordinates of that size are. Where lambda is so large that
- * bends are less than 2^-26 of what they are without it, it acts as where that begins: polynomials of degree
- * m - 1 are left, and smaller bends would only lose digits.
- * \param[in] g where to begin, polynomial, of a dimension above its number of axes; for example from
+ * **Distances** are those of the stored result as it is evaluated. None is below the true one by more than
+ * noise. Where uncertified is 0, none is above it by more either, so that largest and rms are proven to
+ * within noise. The search for proofs goes on as long as the nearest points of a shape with tangents need. On
+ * a shape that has collapsed to a curve or a point, whole lines of parameters are equally near, and points
+ * may stay uncertified.
+ * \param[in] g the start, polynomial, of a dimension above its number of axes; for example from
  *   nurbs_cloud_start().
  * \param[in] n number of points, at least 1 of a weight above 0.
  * \param[in] points [n][dim] the points.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
- * \param[in] weights [n] or NULL for 1: weights >= 0; those of 0 leave a point out, whatever it is.
+ * \param[in] weights [n] or NULL for 1: weights >= 0; a weight of 0 leaves the point out, whatever its
+ *   coordinates are.
  * \param[in] weight_stride distance between weights, 0 = 1.
- * \param[in] options or NULL: how to go on.
- * \param[in,out] report or NULL: where answers go; its bits have NURBS_CLOUD_NOT_CONVERGED if steps were still
- *   lowering the sum by more than the tolerance when the rounds, or the limit of work, ended.
+ * \param[in] options or NULL: settings.
+ * \param[in,out] report or NULL: receives what is known of the fit; its bits have NURBS_CLOUD_NOT_CONVERGED
+ *   if steps were still lowering the sum by more than the tolerance when the rounds, or the limit of work,
+ *   ended.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _STRIDE, _OVERFLOW, _POINT_NOT_FINITE, _WEIGHT_NOT_FINITE,
- *   _WEIGHT_NEGATIVE; _RATIONAL if g is rational, _DIMENSION if its dimension is not above its number of axes,
- *   _OPTIONS, _ORDER for a penalty_order below 1, _COUNT also for rounds below 1, _FACTOR for a lambda or
- *   first_lambda that is not finite, _TOLERANCE, _NOT_REPRESENTABLE.
+ *   _WEIGHT_NEGATIVE; _RATIONAL if g is rational, _DIMENSION if its dimension is not above its number of
+ *   axes, _OPTIONS, _ORDER for a penalty_order below 1, _COUNT also for rounds below 1, _FACTOR for a lambda
+ *   or first_lambda that is not finite, _TOLERANCE, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fit_cloud(const nurbs *g, int64_t n, const double *points, int64_t point_stride,
                                        int64_t point_component_stride, const double *weights,
                                        int64_t weight_stride, const nurbs_cloud_options *options,
                                        nurbs_cloud_report *report, nurbs **out);
 
-/** \brief nurbs_fit_cloud() as a call that can be watched and ended.
+/** \brief nurbs_fit_cloud() with progress reports, cancellation and a limit of work.
  * \param[in] g as for nurbs_fit_cloud().
  * \param[in] n as for nurbs_fit_cloud().
  * \param[in] points as for nurbs_fit_cloud().
@@ -3166,7 +3222,7 @@ NURBS_API nurbs_status nurbs_fit_cloud(const nurbs *g, int64_t n, const double *
  * \param[in] weight_stride as for nurbs_fit_cloud().
  * \param[in] options as for nurbs_fit_cloud().
  * \param[in,out] report as for nurbs_fit_cloud().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_fit_cloud(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -3321,10 +3377,10 @@ NURBS_API nurbs_status nurbs_remove_knot(const nurbs *g, int32_t axis, double kn
 NURBS_API nurbs_status nurbs_reduce_knots(const nurbs *g, int32_t axis, double tolerance, double *bound,
                                           nurbs **out);
 
-/** \brief nurbs_reduce_knots() as a call that can be watched and ended.
+/** \brief nurbs_reduce_knots() with progress reports, cancellation and a limit of work.
  * \param[in] g,axis,tolerance as for nurbs_reduce_knots().
  * \param[out] bound as for nurbs_reduce_knots().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_reduce_knots(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -3350,10 +3406,10 @@ NURBS_API nurbs_status nurbs_reduce_knots_with(const nurbs *g, int32_t axis, dou
 NURBS_API nurbs_status nurbs_reduce_degree(const nurbs *g, int32_t axis, int32_t times, double *bound,
                                            nurbs **out);
 
-/** \brief nurbs_reduce_degree() as a call that can be watched and ended.
+/** \brief nurbs_reduce_degree() with progress reports, cancellation and a limit of work.
  * \param[in] g,axis,times as for nurbs_reduce_degree().
  * \param[out] bound as for nurbs_reduce_degree().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_reduce_degree(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -3373,10 +3429,10 @@ NURBS_API nurbs_status nurbs_reduce_degree_with(const nurbs *g, int32_t axis, in
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_simplify(const nurbs *g, double tolerance, double *bound, nurbs **out);
 
-/** \brief nurbs_simplify() as a call that can be watched and ended.
+/** \brief nurbs_simplify() with progress reports, cancellation and a limit of work.
  * \param[in] g,tolerance as for nurbs_simplify().
  * \param[out] bound as for nurbs_simplify().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_simplify(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -4304,18 +4360,21 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 #define NURBS_SHAPE_OFFSET 14     /**< at a distance from another surface */
 /** @} */
 
-/** \brief Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
- * of a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the first of
- * point, line (both since 1.1), plane, sphere, cylinder, cone and torus, from which no point of g is farther
- * than the tolerance. So a surface that is shrunk to a point or a line is no plane, whose normal nothing
- * would determine. (Parabolas come before ellipses, which come as near to a parabola as one likes.) A shape
- * is fitted to points of g; then the distance of all of g from it is bounded through the Bernstein
- * coefficients of the equation of the shape along g, so that what is returned is proven, its rounding
- * included. A closed or partial shape, and how it is parametrized, make no difference. What does not fit may
- * be within the tolerance of a shape all the same, if by little: distances are made small in the mean, and
- * the bound is within a factor of about 5/4, in the worst cases seen 3/2.
+/** \brief Whether a curve is a line or a conic, or a surface a plane, sphere, cylinder, cone or torus.
  *
- * The numbers are a placement and up to three sizes, of which none of these shapes needs the third; unused
+ * The result for a curve is the first of point, line, circle, parabola, ellipse and hyperbola, and for a
+ * surface the first of point, line (both since 1.1), plane, sphere, cylinder, cone and torus, from which no
+ * point of g is farther than the tolerance. So a surface that has shrunk to a point or a line is not a plane:
+ * nothing would determine its normal. (Parabolas come before ellipses, because ellipses come as near to a
+ * parabola as one likes.)
+ *
+ * A shape is fitted to points of g. Then the distance of all of g from it is bounded by the Bernstein
+ * coefficients of the equation of the shape along g, so that the result is proven, rounding included. It
+ * makes no difference whether the shape is closed or partial, nor how it is parametrized. If no shape is
+ * found, g may still be within the tolerance of one, by a small margin: the fit makes distances small in the
+ * mean, and the bound is within a factor of about 5/4, in the worst cases seen 3/2.
+ *
+ * The numbers are a placement and up to three sizes, of which none of these shapes needs the third. Unused
  * ones are 0:
  *
  *     shape       origin        axis              x                  sizes
@@ -4331,22 +4390,23 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
  *     CONE        apex          axis, into g      to the start       half the opening angle
  *     TORUS       centre        axis              to the start       major and minor radius
  *
- * The start is the point of g at the lower end of the domain, of a line and a cylinder its foot on the
- * axis; where it lies on the axis, x points to another point of g. A circle or ellipse runs
- * counterclockwise about its normal, a parabola or hyperbola in the direction Y = normal x X, so that the
- * numbers are those with which nurbs_curve_circle() and its neighbours make it. In dimension 2 third
- * coordinates are 0 and normals are (0, 0, 1) or (0, 0, -1). The normal of a plane is on the side of S_u x
- * S_v; the axis of a cylinder points from the start into g, the largest component of that of a torus is
- * positive. Hyperbolas are one branch and cones one half, and a torus with r > R is its outer part.
+ * The start is the point of g at the lower end of the domain; for the origin of a line or a cylinder it is
+ * the foot of that point on the axis. Where the start lies on the axis, x points to another point of g. A
+ * circle or ellipse runs counterclockwise about its normal, and a parabola or hyperbola in the direction Y =
+ * normal x X, so that the numbers are those with which nurbs_curve_circle() and the functions beside it make
+ * the curve. In dimension 2, third coordinates are 0 and normals are (0, 0, 1) or (0, 0, -1). The normal of a
+ * plane is on the side of S_u x S_v. The axis of a cylinder points from the start into g, and the largest
+ * component of that of a torus is positive. A hyperbola is one branch and a cone one half. A torus with r > R
+ * is its outer part.
  *
- * On exact shapes the bound is some 1e-14 of the largest distance of a Bezier point of g from the origin of
- * the shape, for degree 2, and a little more where coordinates are large compared with g; it grows in
- * proportion to the sum of the degrees, and up to fiftyfold for tori that nearly reach their axis and long
- * hyperbolas (measured). Tolerances below that find nothing, and control points far beyond a shape, of small
- * weights, cost digits in proportion. Control points at infinity are allowed; where the weights of g cannot
- * be shown to have one sign, the result is NURBS_SHAPE_NONE. The time is that of up to 60 subdivisions of
- * each Bezier piece, each in proportion to the square of the number of its control points; for most shapes
- * one or two are enough.
+ * On exact shapes of degree 2, the bound is some 1e-14 of the largest distance of a Bezier point of g from
+ * the origin of the shape, and a little more where coordinates are large compared with g. It grows in
+ * proportion to the sum of the degrees, and up to fiftyfold for tori that nearly reach their axis and for
+ * long hyperbolas (measured). With tolerances below that, nothing is found. Control points of small weight
+ * far beyond a shape cost digits in proportion. Control points at infinity are allowed. Where the weights of
+ * g cannot be shown to have one sign, the result is NURBS_SHAPE_NONE. The time is that of up to 60
+ * subdivisions of each Bezier piece, each in proportion to the square of the number of its control points;
+ * for most shapes one or two are enough.
  * \param[in] g a curve or surface of dimension 2 or 3.
  * \param[in] tolerance largest distance from the shape, > 0.
  * \param[out] shape one of the NURBS_SHAPE_ constants.
@@ -4360,10 +4420,10 @@ NURBS_API nurbs_status nurbs_volume_coons(const nurbs *const *faces, double tole
 NURBS_API nurbs_status nurbs_recognize(const nurbs *g, double tolerance, int32_t *shape, double *placement,
                                        double *sizes, double *deviation);
 
-/** \brief nurbs_recognize() as a call that can be watched and ended.
+/** \brief nurbs_recognize() with progress reports, cancellation and a limit of work.
  * \param[in] g,tolerance as for nurbs_recognize().
  * \param[out] shape,placement,sizes,deviation as for nurbs_recognize().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_recognize(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_recognize_with(const nurbs *g, double tolerance, int32_t *shape,
@@ -4382,24 +4442,24 @@ NURBS_API nurbs_status nurbs_recognize_with(const nurbs *g, double tolerance, in
  * All distances are Euclidean, in the Cartesian space of the points. The first query of a handle builds a
  * tree of its Bezier pieces with bounds, which the handle keeps. Use batches.
  *
- * A result is certified if it is proven that no point of g is nearer (of the farthest: farther) by more than
- * the tolerance and rounding, which is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|): n is the sum of degree
- * + 1 over the axes, s the largest coordinate of g, x the query point. The proof is by polynomials: with the
- * homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is not nearer than r, and
- * holds if all Bernstein coefficients are >= 0. Curves are divided at their minima; around the minima of
- * surfaces and volumes the polynomial is shown to be convex. Pieces that give no answer are halved, at most
- * `budget` of them for a point: then the best point found is returned with NURBS_CLOSEST_BUDGET instead of
- * NURBS_CLOSEST_CERTIFIED. Pieces of more than 256 control points count more than once. Of pieces with more
- * than 1024, of volumes of high degrees, only hulls are examined, which is seldom enough for a proof. If
- * parameters are so large, or spans so short, that the point of the rounded parameter is worse than what was
- * proven, or if its distance overflows, NURBS_CLOSEST_COARSE replaces NURBS_CLOSEST_CERTIFIED. Weights have
- * to be > 0; splines with other weights are searched in the same way, and certified if the Bezier pieces have
- * positive weights all the same.
+ * A result is certified if it is proven that no point of g is nearer (for farthest points: farther) by more
+ * than the tolerance and rounding. The latter is at most (64 n + 2 dim) eps (sqrt(dim) s + |x|), where n is
+ * the sum of degree + 1 over the axes, s the largest coordinate of g, and x the query point. The proof uses
+ * polynomials: with the homogeneous form A / w of a piece, |A - x w|^2 - r^2 w^2 >= 0 says that the piece is
+ * not nearer than r, and it holds if all Bernstein coefficients are >= 0. Curves are divided at the minima of
+ * the distance; around minima on surfaces and volumes, the polynomial is shown to be convex. Pieces that this
+ * does not decide are halved, at most `budget` of them for a point. At the end of the budget, the best point
+ * found is returned with NURBS_CLOSEST_BUDGET instead of NURBS_CLOSEST_CERTIFIED. Pieces of more than 256
+ * control points count more than once. Of pieces with more than 1024, as in volumes of high degrees, only
+ * hulls are examined, which is seldom enough for a proof. If parameters are so large, or spans so short, that
+ * the point at the rounded parameter is worse than what was proven, or if its distance overflows,
+ * NURBS_CLOSEST_COARSE replaces NURBS_CLOSEST_CERTIFIED. Weights have to be > 0. Splines with other weights
+ * are searched in the same way, and are certified if their Bezier pieces have positive weights nevertheless.
  *
- * At a jump both limits belong to g, and a foot may be the one that nurbs_eval() gives with NURBS_LEFT, which
+ * At a jump, both limits belong to g. A foot may be the limit that nurbs_eval() gives with NURBS_LEFT, which
  * NURBS_CLOSEST_LEFT reports. A seam, a pole or a collapsed edge has several parameters for one point; any of
- * them is returned. Ends and edges of the domain are part of it. Status bits speak of points: two parameters
- * of one point do not make it NURBS_CLOSEST_NOT_UNIQUE.
+ * them is returned. Ends and edges of the domain belong to it. Status bits refer to points: two parameters of
+ * one point do not make it NURBS_CLOSEST_NOT_UNIQUE.
  * @{ */
 
 /** \name Status of a closest point
@@ -4422,29 +4482,30 @@ NURBS_API nurbs_status nurbs_recognize_with(const nurbs *g, double tolerance, in
 #define NURBS_CRITICAL_UNDECIDED 4 /**< rounding leaves the kind open */
 /** @} */
 
-/** \brief The points of a spline that are nearest to given points: parameters, points and distances, each
- * with its status. With a volume this is inversion: a point inside has the distance 0 to rounding. Points
- * equally near to within the tolerance are reported by NURBS_CLOSEST_NOT_UNIQUE, and found by
- * nurbs_closest_all().
+/** \brief The points of a spline that are nearest to given points.
+ *
+ * Results are parameters, points and distances, and a status for each. For a volume this is inversion: a
+ * point inside has the distance 0 to rounding. Points that are equally near, to within the tolerance, are
+ * reported by NURBS_CLOSEST_NOT_UNIQUE and found by nurbs_closest_all().
  * \param[in] g a spline.
  * \param[in] n number of query points.
- * \param[in] points [n][dim].
+ * \param[in] points [n][dim] the query points.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance how much nearer another point may be, >= 0.
- * \param[in] budget most pieces looked at for a point, 0 for 16 times the number of Bezier pieces of g, but
- *   at least 20000 and at most 2000000 (20000 before 1.1).
- * \param[out] params [n][axes] or NULL.
+ * \param[in] budget largest number of pieces examined for a point; 0 for 16 times the number of Bezier pieces
+ *   of g, but at least 20000 and at most 2000000 (20000 before 1.1).
+ * \param[out] params [n][axes] or NULL: the parameters.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
  * \param[out] feet [n][dim] or NULL: the nearest points, as nurbs_eval() gives them.
  * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
- * \param[out] distances [n] or NULL.
+ * \param[out] distances [n] or NULL: the distances.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
  * \param[out] status [n] or NULL: sum of NURBS_CLOSEST_ bits.
  * \param[in] flags NURBS_NAN_POINTS: a query point that is not finite gives NaN and NURBS_CLOSEST_INVALID
  *   instead of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE,
- *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of
+ *   _POINT_NOT_FINITE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is not an interval of
  *   the domain, _NOT_REPRESENTABLE if a point of a homogeneous spline overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const double *points,
@@ -4455,10 +4516,10 @@ NURBS_API nurbs_status nurbs_closest_points(const nurbs *g, int64_t n, const dou
                                             int64_t foot_component_stride, double *distances,
                                             int64_t distance_stride, int32_t *status, uint32_t flags);
 
-/** \brief What the batches of this chapter are asked as long calls. Set struct_size to
+/** \brief Inputs of the batch functions for closest points in their form as long calls. Set struct_size to
  * sizeof(nurbs_closest_query), and what is not wanted to 0: fields that are 0 or NULL have their defaults.
- * Those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever
- * appended, and struct_size is at most 4096. */
+ * Fields that a function does not use must be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever appended,
+ * and struct_size is at most 4096. */
 typedef struct nurbs_closest_query {
     int64_t struct_size;            /**< size of this struct as the caller knows it */
     int64_t n;                      /**< number of points */
@@ -4470,14 +4531,15 @@ typedef struct nurbs_closest_query {
     int64_t guess_component_stride; /**< distance between components, 0 = 1 */
     const double *range;            /**< [axes][2] or NULL for all of it: the part of the domain */
     double tolerance;               /**< >= 0 */
-    int64_t budget;    /**< most pieces looked at for each point, 0 as for nurbs_closest_points() */
+    int64_t budget;    /**< most pieces examined for each point, 0 as for nurbs_closest_points() */
     uint32_t flags;    /**< NURBS_NAN_POINTS or 0 */
     uint32_t reserved; /**< 0 */
 } nurbs_closest_query;
 
-/** \brief Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. Set
- * struct_size to sizeof(nurbs_closest_answer). What a function does not answer has to be NULL
- * (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most 4096. */
+/** \brief Outputs of the batch functions for closest points in their form as long calls: arrays of the
+ * caller, NULL for what is not wanted. Set struct_size to sizeof(nurbs_closest_answer). Arrays that a
+ * function does not fill must be NULL (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size
+ * is at most 4096. */
 typedef struct nurbs_closest_answer {
     int64_t struct_size;            /**< size of this struct as the caller knows it */
     double *params;                 /**< [n][axes] or NULL: the parameters */
@@ -4491,31 +4553,33 @@ typedef struct nurbs_closest_answer {
     int32_t *status;         /**< [n] or NULL: sums of NURBS_CLOSEST_ bits */
 } nurbs_closest_answer;
 
-/** \brief nurbs_closest_points() as a call that can be watched and ended.
+/** \brief nurbs_closest_points() with progress reports, cancellation and a limit of work.
  * \param[in] g as for nurbs_closest_points().
- * \param[in] query the points, and all else but guesses.
+ * \param[in] query the points, and all other inputs except guesses.
  * \param[in] answer the arrays to fill.
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_closest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_closest_points_with(const nurbs *g, const nurbs_closest_query *query,
                                                  const nurbs_closest_answer *answer,
                                                  const nurbs_call_options *call);
 
-/** \brief The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
+/** \brief The points of a spline that are farthest from given points.
+ *
+ * Everything else is as for nurbs_closest_points().
  * \param[in] g a spline.
  * \param[in] n number of query points.
- * \param[in] points [n][dim].
+ * \param[in] points [n][dim] the query points.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
  * \param[in] tolerance how much farther another point may be, >= 0.
- * \param[in] budget most pieces looked at for a point, 0 for 16 times the number of Bezier pieces of g, but
- *   at least 20000 and at most 2000000 (20000 before 1.1).
- * \param[out] params [n][axes] or NULL.
+ * \param[in] budget largest number of pieces examined for a point; 0 for 16 times the number of Bezier pieces
+ *   of g, but at least 20000 and at most 2000000 (20000 before 1.1).
+ * \param[out] params [n][axes] or NULL: the parameters.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
  * \param[out] feet [n][dim] or NULL: the farthest points.
  * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
- * \param[out] distances [n] or NULL.
+ * \param[out] distances [n] or NULL: the distances.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
  * \param[out] status [n] or NULL: sum of NURBS_CLOSEST_ bits.
  * \param[in] flags NURBS_NAN_POINTS, or 0.
@@ -4527,30 +4591,32 @@ NURBS_API nurbs_status nurbs_farthest_points(
     int64_t param_component_stride, double *feet, int64_t foot_stride, int64_t foot_component_stride,
     double *distances, int64_t distance_stride, int32_t *status, uint32_t flags);
 
-/** \brief nurbs_farthest_points() as a call that can be watched and ended.
+/** \brief nurbs_farthest_points() with progress reports, cancellation and a limit of work.
  * \param[in] g as for nurbs_farthest_points().
- * \param[in] query the points, and all else but guesses.
+ * \param[in] query the points, and all other inputs except guesses.
  * \param[in] answer the arrays to fill.
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_farthest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_farthest_points_with(const nurbs *g, const nurbs_closest_query *query,
                                                   const nurbs_closest_answer *answer,
                                                   const nurbs_call_options *call);
 
-/** \brief Local minima of the distance to given points, each the one that a descent from a guess comes to:
- * Newton's method with a trust region, box-constrained to the domain, across knots. Never certified.
+/** \brief Local minima of the distance from given points, each reached by a descent from a guess.
+ *
+ * The descent is Newton's method with a trust region, constrained to the box of the domain, and continues
+ * across knots. The result is never certified.
  * \param[in] g a spline.
  * \param[in] n number of query points.
- * \param[in] points [n][dim].
+ * \param[in] points [n][dim] the query points.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] guesses [n][axes] parameters in the domain.
  * \param[in] guess_stride,guess_component_stride layout of guesses, 0 = packed.
- * \param[out] params [n][axes] or NULL.
+ * \param[out] params [n][axes] or NULL: the parameters.
  * \param[in] param_stride,param_component_stride layout of params, 0 = packed.
- * \param[out] feet [n][dim] or NULL.
+ * \param[out] feet [n][dim] or NULL: the points of the spline.
  * \param[in] foot_stride,foot_component_stride layout of feet, 0 = packed.
- * \param[out] distances [n] or NULL.
+ * \param[out] distances [n] or NULL: the distances.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
  * \param[out] status [n] or NULL: NURBS_CLOSEST_BOUNDARY, NURBS_CLOSEST_BUDGET where 100 steps did not
  *   converge, NURBS_CLOSEST_INVALID.
@@ -4566,43 +4632,44 @@ NURBS_API nurbs_status nurbs_closest_local(const nurbs *g, int64_t n, const doub
                                            double *distances, int64_t distance_stride, int32_t *status,
                                            uint32_t flags);
 
-/** \brief nurbs_closest_local() as a call that can be watched and ended.
+/** \brief nurbs_closest_local() with progress reports, cancellation and a limit of work.
  * \param[in] g as for nurbs_closest_local().
  * \param[in] query the points, guesses and flags.
  * \param[in] answer the arrays to fill.
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_closest_local(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_closest_local_with(const nurbs *g, const nurbs_closest_query *query,
                                                 const nurbs_closest_answer *answer,
                                                 const nurbs_call_options *call);
 
-/** \brief All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
- * and that are local minima of it. Where they are not isolated (an arc around its centre) every piece of g
- * that has some gives at least one, and the status has NURBS_CLOSEST_NOT_UNIQUE without
- * NURBS_CLOSEST_CERTIFIED. At a jump a point may be the limit from below.
+/** \brief All local minima of the distance from a point that are within a tolerance of the smallest.
+ *
+ * Where they are not isolated (on an arc around its centre), every piece of g that has some gives at least
+ * one, and the status has NURBS_CLOSEST_NOT_UNIQUE without NURBS_CLOSEST_CERTIFIED. At a jump, a point may be
+ * the limit from below.
  * \param[in] g a spline.
- * \param[in] point [dim].
+ * \param[in] point [dim] the query point.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
- * \param[in] tolerance >= 0.
- * \param[in] budget most pieces looked at, 0 for 20000.
+ * \param[in] tolerance how much farther than the nearest point a minimum may be, >= 0.
+ * \param[in] budget largest number of pieces examined, 0 for 20000.
  * \param[in] cap length of the outputs: 0, or at least the number of points.
- * \param[out] params [cap][axes] or NULL: in rising order.
- * \param[out] distances [cap] or NULL.
+ * \param[out] params [cap][axes] or NULL: the parameters, in rising order.
+ * \param[out] distances [cap] or NULL: the distances.
  * \param[out] count or NULL: number of points.
- * \param[out] status or NULL: sum of NURBS_CLOSEST_ bits: certified if no other is as near.
+ * \param[out] status or NULL: sum of NURBS_CLOSEST_ bits: certified if no other point is as near.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE; _SIZE if
- *   cap is neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no
+ *   cap is neither 0 nor enough; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is not an
  *   interval of the domain, _NOT_REPRESENTABLE if a point of a homogeneous spline overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_closest_all(const nurbs *g, const double *point, const double *range,
                                          double tolerance, int64_t budget, int64_t cap, double *params,
                                          double *distances, int64_t *count, int32_t *status);
 
-/** \brief nurbs_closest_all() as a call that can be watched and ended.
+/** \brief nurbs_closest_all() with progress reports, cancellation and a limit of work.
  * \param[in] g,point,range,tolerance,budget,cap as for nurbs_closest_all().
  * \param[out] params,distances,count,status as for nurbs_closest_all().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_closest_all(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_closest_all_with(const nurbs *g, const double *point, const double *range,
@@ -4610,19 +4677,22 @@ NURBS_API nurbs_status nurbs_closest_all_with(const nurbs *g, const double *poin
                                               double *distances, int64_t *count, int32_t *status,
                                               const nurbs_call_options *call);
 
-/** \brief All critical points of the distance from a point: where x - C is perpendicular to the tangents of
- * g, and at ends and kinks of a curve, where the distance has a minimum or maximum. Of surfaces and volumes
- * those inside, on edges those that are critical along them, and corners with a minimum or maximum; minima
- * on creases at knots are found by nurbs_closest_all(). A pole is one point, with what the tolerance does
- * not tell from it; its kind is that of samples around it. At a jump a point may be the limit from below.
+/** \brief All critical points of the distance from a point.
+ *
+ * On a curve C, these are the points where x - C is perpendicular to the tangent, and the ends and kinks
+ * where the distance has a minimum or maximum. On surfaces and volumes they are the critical points inside,
+ * those on edges that are critical along the edges, and the corners with a minimum or maximum. Minima on
+ * creases at knots are not among them; nurbs_closest_all() finds these. A pole is one point, together with
+ * everything that the tolerance does not distinguish from it; its kind is that of samples around it. At a
+ * jump, a point may be the limit from below.
  * \param[in] g a spline.
- * \param[in] point [dim].
+ * \param[in] point [dim] the query point x.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
- * \param[in] tolerance >= 0, how far apart points of g are told apart.
- * \param[in] budget most pieces looked at, 0 for 20000.
+ * \param[in] tolerance >= 0: points of g that are no farther apart are not distinguished.
+ * \param[in] budget largest number of pieces examined, 0 for 20000.
  * \param[in] cap length of the outputs: 0, or at least the number of points.
- * \param[out] params [cap][axes] or NULL: in rising order.
- * \param[out] distances [cap] or NULL.
+ * \param[out] params [cap][axes] or NULL: the parameters, in rising order.
+ * \param[out] distances [cap] or NULL: the distances.
  * \param[out] kinds [cap] or NULL: NURBS_CRITICAL_ constants.
  * \param[out] count or NULL: number of points.
  * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED if there are no others, NURBS_CLOSEST_NOT_UNIQUE if
@@ -4634,10 +4704,10 @@ NURBS_API nurbs_status nurbs_critical_points(const nurbs *g, const double *point
                                              double *distances, int32_t *kinds, int64_t *count,
                                              int32_t *status);
 
-/** \brief nurbs_critical_points() as a call that can be watched and ended.
+/** \brief nurbs_critical_points() with progress reports, cancellation and a limit of work.
  * \param[in] g,point,range,tolerance,budget,cap as for nurbs_critical_points().
  * \param[out] params,distances,kinds,count,status as for nurbs_critical_points().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_critical_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_critical_points_with(const nurbs *g, const double *point, const double *range,
@@ -4646,19 +4716,21 @@ NURBS_API nurbs_status nurbs_critical_points_with(const nurbs *g, const double *
                                                   int64_t *count, int32_t *status,
                                                   const nurbs_call_options *call);
 
-/** \brief Signed distances of points in the plane from a curve: positive to the left of its direction, so
- * inside a closed curve that runs counterclockwise without crossing itself. At a kink the side is that of
- * the corner, beyond the end of an open curve that of the tangent there; 0 has no sign.
+/** \brief Signed distances of points in the plane from a curve: positive to the left of its direction.
+ *
+ * So they are positive inside a closed curve that runs counterclockwise without crossing itself. At a kink,
+ * the corner determines the side; beyond the end of an open curve, the tangent at the end does. A distance of
+ * 0 has no sign.
  * \param[in] g a curve of dimension 2.
  * \param[in] n number of query points.
- * \param[in] points [n][2].
+ * \param[in] points [n][2] the query points.
  * \param[in] point_stride,point_component_stride layout of points, 0 = packed.
  * \param[in] tolerance how much nearer another point may be, >= 0.
- * \param[in] budget most pieces looked at for a point, 0 for 16 times the number of Bezier pieces of g, but
- *   at least 20000 and at most 2000000 (20000 before 1.1).
- * \param[out] distances [n] with their sign.
+ * \param[in] budget largest number of pieces examined for a point; 0 for 16 times the number of Bezier pieces
+ *   of g, but at least 20000 and at most 2000000 (20000 before 1.1).
+ * \param[out] distances [n] the distances with their sign.
  * \param[in] distance_stride distance between values of distances, 0 = 1.
- * \param[out] params [n] or NULL.
+ * \param[out] params [n] or NULL: the parameters of the nearest points.
  * \param[in] param_stride distance between values of params, 0 = 1.
  * \param[out] status [n] or NULL: as for nurbs_closest_points().
  * \param[in] flags NURBS_NAN_POINTS, or 0.
@@ -4671,30 +4743,30 @@ NURBS_API nurbs_status nurbs_curve_signed_distances(const nurbs *g, int64_t n, c
                                                     int64_t distance_stride, double *params,
                                                     int64_t param_stride, int32_t *status, uint32_t flags);
 
-/** \brief nurbs_curve_signed_distances() as a call that can be watched and ended.
+/** \brief nurbs_curve_signed_distances() with progress reports, cancellation and a limit of work.
  * \param[in] g as for nurbs_curve_signed_distances().
- * \param[in] query the points, and all else but guesses and range.
+ * \param[in] query the points, and all other inputs except guesses and range.
  * \param[in] answer the arrays to fill.
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_signed_distances(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_signed_distances_with(const nurbs *g, const nurbs_closest_query *query,
                                                          const nurbs_closest_answer *answer,
                                                          const nurbs_call_options *call);
 
-/** \brief The smallest distance between two splines, of any number of axes each, enclosed: at_least <=
- * distance of the nearest points <= at_most, which is the distance of the two points returned; they differ
- * by at most the tolerance and rounding unless the budget ends. Pairs of pieces are bounded from below by
- * boxes and by planes, spheres and cylinders that separate them, which is exact for parallel and concentric
- * shapes; other continua of nearest points take about 1 / sqrt(tolerance) pairs. At a jump a point may be
- * the limit from below.
+/** \brief Proven bounds of the smallest distance between two splines, of any number of axes each.
+ *
+ * at_least <= distance of the nearest points <= at_most, and at_most is the distance of the two points
+ * returned. The bounds differ by at most the tolerance and rounding unless the budget ends. Pairs of pieces
+ * are bounded from below by boxes, and by planes, spheres and cylinders that separate them, which is exact
+ * for parallel and concentric shapes. Other continua of nearest points take about 1 / sqrt(tolerance) pairs.
+ * At a jump, a point may be the limit from below.
  * \param[in] a,b two splines of the same dimension.
- * \param[in] tolerance >= 0.
- * \param[in] budget most pairs of pieces looked at, 0 for 200000 within the usual
- *   limit of work.
+ * \param[in] tolerance largest difference of the bounds that is wanted, >= 0.
+ * \param[in] budget largest number of pairs of pieces examined, 0 for 200000 within the limit of work.
  * \param[out] at_least,at_most or NULL: the bounds.
  * \param[out] params_a [axes of a] or NULL: the parameters of the point of a.
- * \param[out] params_b [axes of b] or NULL: those of the point of b.
+ * \param[out] params_b [axes of b] or NULL: the parameters of the point of b.
  * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERLAP, _TOLERANCE; _INCOMPATIBLE if the dimensions differ,
  *   _NOT_REPRESENTABLE if a distance overflows.
@@ -4703,35 +4775,38 @@ NURBS_API nurbs_status nurbs_distance(const nurbs *a, const nurbs *b, double tol
                                       double *at_least, double *at_most, double *params_a, double *params_b,
                                       int32_t *status);
 
-/** \brief nurbs_distance() as a call that can be watched and ended.
+/** \brief nurbs_distance() with progress reports, cancellation and a limit of work.
  * \param[in] a,b,tolerance,budget as for nurbs_distance().
  * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_distance().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_distance_with(const nurbs *a, const nurbs *b, double tolerance, int64_t budget,
                                            double *at_least, double *at_most, double *params_a,
                                            double *params_b, int32_t *status, const nurbs_call_options *call);
 
-/** \brief The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the
- * point of a that is farthest from b is from it, and the other way round; the larger of the two is the
- * symmetric distance. at_least[i] <= distance <= at_most[i], both proven; they differ by at most the
- * tolerance and rounding unless the budget ends; at_most may be infinite then. Upper bounds come from the
- * farthest control point from one point, and from matching a piece of one spline with a part of a piece of
- * the other by their nearest corners, so that splines that are near each other all over are measured quickly.
- * Splines of the same numbers have the distances 0. If one is the same set as the other, or a part of it,
- * this is found at once, with a bound of rounding, where its parameters are those of the other one after a
- * linear map of each axis: whatever degrees and knots are, and the order, directions and domains of the axes;
- * the weights have to be positive for that. Whether it may be so is found out by a few nearest points, with
- * at most 500 pieces each, which the budget does not count.
+/** \brief Proven bounds of the Hausdorff distances of two splines as sets of points.
+ *
+ * Parameters do not matter. The distance from a to b is that of the point of a that is farthest from b; the
+ * distance from b to a is the other way round. The larger of the two is the symmetric distance.
+ * at_least[i] <= distance <= at_most[i], both proven. The bounds differ by at most the tolerance and rounding
+ * unless the budget ends; at_most may then be infinite. Upper bounds come from the farthest control point
+ * from one point, and from matching a piece of one spline with a part of a piece of the other by their
+ * nearest corners, so that splines that are near each other everywhere are measured quickly.
+ *
+ * Splines with the same numbers have the distances 0. If one spline is the same set as the other, or a part
+ * of it, this is found at once, with a bound of rounding, where its parameters are those of the other after a
+ * linear map of each axis: whatever the degrees and knots are, and the order, directions and domains of the
+ * axes. The weights have to be positive for that. A few nearest points, with at most 500 pieces each, which
+ * the budget does not count, decide whether this is possible.
  * \param[in] a,b two splines of the same dimension.
- * \param[in] tolerance >= 0.
- * \param[in] budget most pieces looked at in each direction, those of nearest points among them, 0 for
- *   2000000 within the usual limit of work.
+ * \param[in] tolerance largest difference of the bounds that is wanted, >= 0.
+ * \param[in] budget largest number of pieces examined in each direction, those for nearest points included; 0
+ *   for 2000000 within the limit of work.
  * \param[out] at_least [2] or NULL: from a to b, from b to a.
  * \param[out] at_most [2] or NULL: the same, from above.
  * \param[out] params_a [axes of a] or NULL: the parameters of a point of a that is at_least[0] away from b.
- * \param[out] params_b [axes of b] or NULL: those of a point of b that is at_least[1] away from a.
+ * \param[out] params_b [axes of b] or NULL: the parameters of a point of b that is at_least[1] away from a.
  * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
  * \return as for nurbs_distance().
  * \since 1.0 */
@@ -4739,10 +4814,10 @@ NURBS_API nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, 
                                                 int64_t budget, double *at_least, double *at_most,
                                                 double *params_a, double *params_b, int32_t *status);
 
-/** \brief nurbs_hausdorff_distance() as a call that can be watched and ended.
+/** \brief nurbs_hausdorff_distance() with progress reports, cancellation and a limit of work.
  * \param[in] a,b,tolerance,budget as for nurbs_hausdorff_distance().
  * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_hausdorff_distance().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_hausdorff_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_hausdorff_distance_with(const nurbs *a, const nurbs *b, double tolerance,
@@ -4758,54 +4833,58 @@ NURBS_API nurbs_status nurbs_hausdorff_distance_with(const nurbs *a, const nurbs
  * \endcode
  * Integrals over splines, by nested Gauss rules (Patterson 1968) of 15 to 63 nodes on each span between
  * knots, never across a knot. A span is halved if the Legendre coefficients of the integrand do not fall fast
- * enough, if weights differ by a factor of more than 64, and if lengths and areas turn so sharply that a
- * feature may be narrower than the distance of the nodes. `relative_tolerance` is that of the result (of a
- * centroid and of moments: relative to the size of the shape). 0, and any tolerance below rounding, asks for
- * the best that double precision and a limit of work give: rounding, or else about nine, six or three digits, as
- * along a fold inside a surface, where |S_u x S_v| has a kink. A tolerance above rounding that is not reached
- * is NURBS_ERROR_NOT_CONVERGED, and so is 0 where no `error` could show it (nurbs_curve_lengths() and what
- * shares its table). `error` receives an estimate of the absolute error, rounding included; it follows from
- * how the coefficients fall and is not a proof. Cusps, poles and other places where the speed vanishes are
- * found by the halving; they cost more time, not accuracy. Where the weights vanish an integral may be
- * infinite: NURBS_ERROR_NOT_CONVERGED.
+ * enough, if weights differ by a factor of more than 64, or, for lengths and areas, if the spline turns so
+ * sharply that a feature may be narrower than the distance of the nodes. Cusps, poles and other places where
+ * the speed vanishes are found by the halving; they cost more time, not accuracy. Where the weights vanish,
+ * an integral may be infinite: NURBS_ERROR_NOT_CONVERGED.
  *
- * Inertia is the tensor about the centroid, the integral of |y|^2 E - y y^T with y = x - centroid and the
- * unit matrix E, for the density 1. It is symmetric, with rows one after the other; for a negative content it
- * has that sign.
+ * **Tolerances.** `relative_tolerance` is that of the result (of a centroid and of moments: relative to the
+ * size of the shape). 0, and any tolerance below rounding, asks for the best that double precision and a
+ * limit of work give: rounding, or otherwise about nine, six or three digits, as along a fold inside a
+ * surface, where |S_u x S_v| has a kink. If a tolerance above rounding is not reached, that is
+ * NURBS_ERROR_NOT_CONVERGED. For functions without `error`, which could show what was reached
+ * (nurbs_curve_lengths() and those that share its table), the same holds for 0. `error` receives an estimate
+ * of the absolute error, rounding included; it follows from how the coefficients fall, and is not a proof.
+ *
+ * **Inertia** is the tensor about the centroid, the integral of |y|^2 E - y y^T with y = x - centroid and the
+ * unit matrix E, for the density 1. It is symmetric, with rows one after the other. If the content is
+ * negative, the inertia has that sign.
  * @{ */
 
-/** \brief Length of a curve or of a part of it.
+/** \brief The length of a curve or of a part of it.
  * \param[in] g a curve.
  * \param[in] range [2] or NULL for all of it: the part of the domain.
  * \param[in] relative_tolerance >= 0.
  * \param[out] length the integral of |C'(t)|.
  * \param[out] error or NULL: estimate of the error.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN
- *   or _EMPTY_DOMAIN if range is no interval of the domain; _NOT_CONVERGED naming the error reached,
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
+ *   _EMPTY_DOMAIN if range is not an interval of the domain; _NOT_CONVERGED naming the error reached,
  *   _NOT_REPRESENTABLE if the length overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_length(const nurbs *g, const double *range, double relative_tolerance,
                                           double *length, double *error);
 
-/** \brief nurbs_curve_length() as a call that can be watched and ended.
+/** \brief nurbs_curve_length() with progress reports, cancellation and a limit of work.
  * \param[in] g,range,relative_tolerance as for nurbs_curve_length().
  * \param[out] length,error as for nurbs_curve_length().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_length(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_length_with(const nurbs *g, const double *range, double relative_tolerance,
                                                double *length, double *error, const nurbs_call_options *call);
 
-/** \brief Lengths from the start of the domain to given parameters. The first call of a handle makes a table,
- * which takes as long as some lengths and which nurbs_curve_params_at_lengths() and nurbs_curve_divide()
- * share: to the length at the end of the domain belongs the end, where the curve does not stand still there.
- * nurbs_curve_length() adds in another order and may differ by rounding.
+/** \brief Lengths from the start of the domain to given parameters.
+ *
+ * The first call of a handle makes a table, which takes as long as several lengths.
+ * nurbs_curve_params_at_lengths() and nurbs_curve_divide() share it, so that they map the length at the end
+ * of the domain to the end, unless the curve stands still there. nurbs_curve_length() adds in another order,
+ * and its results may differ by rounding.
  * \param[in] g a curve.
  * \param[in] n number of parameters.
  * \param[in] params [n] in the domain.
  * \param[in] param_stride distance between parameters, 0 = 1.
  * \param[in] relative_tolerance >= 0, of the whole length.
- * \param[out] lengths [n].
+ * \param[out] lengths [n] the lengths.
  * \param[in] length_stride distance between lengths, 0 = 1.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE,
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN, _NOT_CONVERGED, _NOT_REPRESENTABLE.
@@ -4814,11 +4893,11 @@ NURBS_API nurbs_status nurbs_curve_lengths(const nurbs *g, int64_t n, const doub
                                            int64_t param_stride, double relative_tolerance, double *lengths,
                                            int64_t length_stride);
 
-/** \brief nurbs_curve_lengths() as a call that can be watched and ended.
+/** \brief nurbs_curve_lengths() with progress reports, cancellation and a limit of work.
  * \param[in] g,n,params,param_stride,relative_tolerance as for nurbs_curve_lengths().
  * \param[out] lengths as for nurbs_curve_lengths().
  * \param[in] length_stride as for nurbs_curve_lengths().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_lengths(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_lengths_with(const nurbs *g, int64_t n, const double *params,
@@ -4826,14 +4905,16 @@ NURBS_API nurbs_status nurbs_curve_lengths_with(const nurbs *g, int64_t n, const
                                                 double *lengths, int64_t length_stride,
                                                 const nurbs_call_options *call);
 
-/** \brief Parameters at given lengths from the start of the domain. Where the curve stands still the first
- * parameter is given. Newton's method with the speed as derivative, inside a bracket.
+/** \brief Parameters at given lengths from the start of the domain.
+ *
+ * Where the curve stands still, the first parameter is returned. The method is Newton's, with the speed as
+ * derivative, inside a bracket.
  * \param[in] g a curve.
  * \param[in] n number of lengths.
  * \param[in] lengths [n] from 0 to the length of the curve, which the tolerance and rounding may exceed.
  * \param[in] length_stride distance between lengths, 0 = 1.
  * \param[in] relative_tolerance >= 0, of the whole length.
- * \param[out] params [n].
+ * \param[out] params [n] the parameters.
  * \param[in] param_stride distance between parameters, 0 = 1.
  * \param[in] flags NURBS_CLAMP: a length outside gives the nearer end instead of an error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE;
@@ -4843,11 +4924,11 @@ NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, 
                                                      int64_t length_stride, double relative_tolerance,
                                                      double *params, int64_t param_stride, uint32_t flags);
 
-/** \brief nurbs_curve_params_at_lengths() as a call that can be watched and ended.
+/** \brief nurbs_curve_params_at_lengths() with progress reports, cancellation and a limit of work.
  * \param[in] g,n,lengths,length_stride,relative_tolerance as for nurbs_curve_params_at_lengths().
  * \param[out] params as for nurbs_curve_params_at_lengths().
  * \param[in] param_stride,flags as for nurbs_curve_params_at_lengths().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_params_at_lengths(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_params_at_lengths_with(const nurbs *g, int64_t n, const double *lengths,
@@ -4856,89 +4937,95 @@ NURBS_API nurbs_status nurbs_curve_params_at_lengths_with(const nurbs *g, int64_
                                                           uint32_t flags, const nurbs_call_options *call);
 
 /** \brief Divides a curve into parts of equal length, or so that consecutive points have equal distances.
- * Each point is the first one at its distance from the one before, where there is such a division; else
- * chains of points are followed as their distance rises and falls. On curves that wind about themselves this
- * finds most divisions into few parts; into ten or more the way may be too long: NURBS_ERROR_NOT_CONVERGED.
+ *
+ * For equal distances, each point is the first one at its distance from the one before, where there is such a
+ * division. Otherwise chains of points are followed while their distance rises and falls. On curves that wind
+ * about themselves this finds most divisions into few parts; into ten or more parts the path may be too long:
+ * NURBS_ERROR_NOT_CONVERGED.
  * \param[in] g a curve.
  * \param[in] range [2] or NULL for all of it: the part of the domain.
  * \param[in] parts number of parts, > 0.
  * \param[in] relative_tolerance >= 0, of a part.
- * \param[in] flags NURBS_EQUAL_CHORDS: distances instead of lengths; or 0.
- * \param[out] params [parts + 1] rising, the first and last one the ends of range.
- * \param[out] size or NULL: length or chord of a part.
+ * \param[in] flags NURBS_EQUAL_CHORDS: equal distances instead of equal lengths; or 0.
+ * \param[out] params [parts + 1] rising; the first and last ones are the ends of range.
+ * \param[out] size or NULL: the length or the chord of a part.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
- *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain; _LENGTH
- *   if the curve has none, _NOT_CONVERGED (chords also where no division is found), _NOT_REPRESENTABLE.
+ *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is not an interval of the domain;
+ *   _LENGTH if the curve has none, _NOT_CONVERGED (for chords also where no division is found),
+ *   _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_divide(const nurbs *g, const double *range, int64_t parts,
                                           double relative_tolerance, uint32_t flags, double *params,
                                           double *size);
 
-/** \brief nurbs_curve_divide() as a call that can be watched and ended.
+/** \brief nurbs_curve_divide() with progress reports, cancellation and a limit of work.
  * \param[in] g,range,parts,relative_tolerance,flags as for nurbs_curve_divide().
  * \param[out] params,size as for nurbs_curve_divide().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_divide(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_divide_with(const nurbs *g, const double *range, int64_t parts,
                                                double relative_tolerance, uint32_t flags, double *params,
                                                double *size, const nurbs_call_options *call);
 
-/** \brief Area of a surface, in any dimension.
+/** \brief The area of a surface or of a part of it, in any dimension.
  * \param[in] g a surface.
  * \param[in] range [2][2] or NULL for all of it: the part of the domain.
  * \param[in] relative_tolerance >= 0.
- * \param[out] area the integral of |S_u x S_v|, in other dimensions sqrt(|S_u|^2 |S_v|^2 - (S_u . S_v)^2).
+ * \param[out] area the integral of |S_u x S_v|; in dimensions other than 3 of sqrt(|S_u|^2 |S_v|^2 - (S_u .
+ *   S_v)^2).
  * \param[out] error or NULL: estimate of the error.
- * \return as for nurbs_curve_length(), _AXES if g is no surface.
+ * \return as for nurbs_curve_length(), _AXES if g is not a surface.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_surface_area(const nurbs *g, const double *range, double relative_tolerance,
                                           double *area, double *error);
 
-/** \brief nurbs_surface_area() as a call that can be watched and ended.
+/** \brief nurbs_surface_area() with progress reports, cancellation and a limit of work.
  * \param[in] g,range,relative_tolerance as for nurbs_surface_area().
  * \param[out] area,error as for nurbs_surface_area().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_surface_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_area_with(const nurbs *g, const double *range, double relative_tolerance,
                                                double *area, double *error, const nurbs_call_options *call);
 
-/** \brief Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet,
- * of a volume as a body (the integral of |det J|, J its derivatives).
+/** \brief Content, centroid and inertia of a curve as a wire, a surface as a sheet, or a volume as a body.
+ *
+ * The content of a volume is the integral of |det J|, where J are its derivatives.
  * \param[in] g a spline; a volume of dimension 3.
  * \param[in] relative_tolerance >= 0.
- * \param[out] content length, area or volume.
+ * \param[out] content the length, area or volume.
  * \param[out] centroid [dim] or NULL.
  * \param[out] inertia [dim][dim] or NULL: about the centroid. It overflows long before the content does, and
  *   NULL leaves it out.
  * \param[out] error or NULL: estimate of the error of content.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if g is a volume of another
- *   dimension, _LENGTH if the content is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
- *   _NOT_REPRESENTABLE naming what of these overflows.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if g is a volume of another dimension,
+ *   _LENGTH if the content is 0 and centroid or inertia are wanted, _NOT_CONVERGED, _NOT_REPRESENTABLE naming
+ *   which of these overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_moments(const nurbs *g, double relative_tolerance, double *content,
                                      double *centroid, double *inertia, double *error);
 
-/** \brief nurbs_moments() as a call that can be watched and ended.
+/** \brief nurbs_moments() with progress reports, cancellation and a limit of work.
  * \param[in] g,relative_tolerance as for nurbs_moments().
  * \param[out] content,centroid,inertia,error as for nurbs_moments().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_moments(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_moments_with(const nurbs *g, double relative_tolerance, double *content,
                                           double *centroid, double *inertia, double *error,
                                           const nurbs_call_options *call);
 
-/** \brief Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
- * Green's theorem: 1/2 integral of x dy - y dx. What a chain that runs counterclockwise encloses counts
+/** \brief Area, centroid and inertia of the region of the plane that closed chains of curves enclose.
+ *
+ * By Green's theorem the area is 1/2 integral of x dy - y dx. What a counterclockwise chain encloses counts
  * positive, so that holes run clockwise. The curves may come in any order, but each runs in the direction of
- * its chain; a jump inside one is an end and a start, and a periodic curve has no other ends.
+ * its chain. A jump inside a curve is an end and a start; a periodic curve has no other ends.
  * \param[in] count number of curves, > 0.
  * \param[in] curves [count] curves of dimension 2.
- * \param[in] tolerance largest gap between an end and the start that is nearest to it, >= 0.
+ * \param[in] tolerance largest gap between an end and the start nearest to it, >= 0.
  * \param[in] relative_tolerance >= 0.
- * \param[out] area signed.
+ * \param[out] area the area, with its sign.
  * \param[out] centroid [2] or NULL.
  * \param[out] inertia [2][2] or NULL: as for nurbs_moments().
  * \param[out] error or NULL: estimate of the error of area, gaps not included.
@@ -4950,10 +5037,10 @@ NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *cu
                                            double relative_tolerance, double *area, double *centroid,
                                            double *inertia, double *error);
 
-/** \brief nurbs_enclosed_area() as a call that can be watched and ended.
+/** \brief nurbs_enclosed_area() with progress reports, cancellation and a limit of work.
  * \param[in] count,curves,tolerance,relative_tolerance as for nurbs_enclosed_area().
  * \param[out] area,centroid,inertia,error as for nurbs_enclosed_area().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_enclosed_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_enclosed_area_with(int64_t count, const nurbs *const *curves, double tolerance,
@@ -4961,14 +5048,15 @@ NURBS_API nurbs_status nurbs_enclosed_area_with(int64_t count, const nurbs *cons
                                                 double *inertia, double *error,
                                                 const nurbs_call_options *call);
 
-/** \brief Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
- * integral of S . (S_u x S_v). Normals S_u x S_v point outwards (all inwards: the volume is negative).
- * The vector area, the integral of S_u x S_v, shows whether the surfaces close: it is zero for closed
- * shells.
+/** \brief Volume, centroid and inertia of the body that surfaces enclose.
+ *
+ * By the divergence theorem the volume is 1/3 integral of S . (S_u x S_v). The normals S_u x S_v point
+ * outwards (if all of them point inwards, the volume is negative). The vector area, the integral of S_u x
+ * S_v, shows whether the surfaces close: it is zero for closed shells.
  * \param[in] count number of surfaces, > 0.
  * \param[in] surfaces [count] surfaces of dimension 3.
  * \param[in] relative_tolerance >= 0.
- * \param[out] volume signed.
+ * \param[out] volume the volume, with its sign.
  * \param[out] centroid [3] or NULL.
  * \param[out] inertia [3][3] or NULL: as for nurbs_moments().
  * \param[out] openness or NULL: length of the vector area.
@@ -4980,10 +5068,10 @@ NURBS_API nurbs_status nurbs_enclosed_volume(int64_t count, const nurbs *const *
                                              double relative_tolerance, double *volume, double *centroid,
                                              double *inertia, double *openness, double *error);
 
-/** \brief nurbs_enclosed_volume() as a call that can be watched and ended.
+/** \brief nurbs_enclosed_volume() with progress reports, cancellation and a limit of work.
  * \param[in] count,surfaces,relative_tolerance as for nurbs_enclosed_volume().
  * \param[out] volume,centroid,inertia,openness,error as for nurbs_enclosed_volume().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_enclosed_volume(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_enclosed_volume_with(int64_t count, const nurbs *const *surfaces,
@@ -4991,24 +5079,27 @@ NURBS_API nurbs_status nurbs_enclosed_volume_with(int64_t count, const nurbs *co
                                                   double *inertia, double *openness, double *error,
                                                   const nurbs_call_options *call);
 
-/** \brief Points and weights for integrals of any function over a spline: tensor products of rules of Gauss and
- * Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2 nodes - 1 on each
- * span. The points come span by span, the last axis fastest, and within a span, of which each has nodes^axes, the
- * last axis fastest; all lie inside of their spans, which nurbs_rational_basis() and nurbs_basis_gradients() tell. The
- * sum of measures[i] f(point i) approximates the integral of f over the shape, the sum of weights[i] f(params[i])
- * that over the domain:
+/** \brief Points and weights for integrals of any function over a spline.
+ *
+ * They are tensor products of Gauss-Legendre rules on all spans that are not empty, exact along each axis for
+ * polynomials of degree 2 nodes - 1 on each span. The points come span by span, the last axis fastest; the
+ * nodes^axes points of a span come with the last axis fastest, too. All points lie inside their spans, which
+ * nurbs_rational_basis() and nurbs_basis_gradients() return. The sum of measures[i] f(point i) approximates
+ * the integral of f over the shape, and the sum of weights[i] f(params[i]) that over the domain:
  *
  *     measures[i] = weights[i] sqrt(det J^T J),  J the derivatives of g at params[i].
  * \param[in] g a spline.
- * \param[in] nodes number of nodes along each axis of a span, 1 to 64; 0: on each axis one more than its degree.
+ * \param[in] nodes number of nodes along each axis of a span, 1 to 64; 0: on each axis one more than its
+ *   degree.
  * \param[in] cap length of the arrays in points; 0 asks for the number only.
  * \param[out] params [cap][axes] or NULL: receives the parameters, packed.
- * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the domain.
- * \param[out] measures [cap] or NULL: receives the weights of lengths, areas or volumes; 0 where g has more axes than
- *   coordinates.
+ * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the
+ *   domain.
+ * \param[out] measures [cap] or NULL: receives the weights of lengths, areas or volumes; 0 where g has more
+ *   axes than coordinates.
  * \param[out] count or NULL: receives the number of points.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap is
- *   neither 0 nor enough, _NOT_REPRESENTABLE if weights or measures overflow.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap
+ *   is neither 0 nor enough, _NOT_REPRESENTABLE if weights or measures overflow.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_quadrature(const nurbs *g, int32_t nodes, int64_t cap, double *params,
                                         double *weights, double *measures, int64_t *count);
@@ -5020,36 +5111,38 @@ NURBS_API nurbs_status nurbs_quadrature(const nurbs *g, int32_t nodes, int64_t c
  * nurbs_box(surface, NULL, 1e-3, lower, upper, &gap); // each face at most 1e-3 from the surface
  * \endcode
  * Proven bounds that contain a spline. They come from Bernstein coefficients; pieces are halved where a
- * tighter bound is wanted, and bounds are rounded outwards. Weights have to be > 0 on every Bezier piece
- * after some halvings; if they never are, boxes are infinite and cones may be the whole space. Where a search
+ * tighter bound is wanted, and bounds are rounded outwards. On every Bezier piece the weights have to be > 0
+ * after some halvings. If they never are, boxes are infinite and cones may be the whole space. Where a search
  * has a limit of 20000 halvings, the limit is lower for pieces of more than 3000 coefficients, so that memory
  * does not run out. A derivative that is zero to its rounding at an end of a piece counts as zero there, and
- * has the limit as its direction.
+ * its direction is the limit.
  * @{ */
 
-/** \brief An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
- * homogeneous ones, whose rounding has no such bound).
+/** \brief An axis-aligned box that contains a spline, and all points that evaluation gives of it.
+ *
+ * Evaluated points of homogeneous splines are an exception, because their rounding has no such bound.
  * \param[in] g a spline.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain.
  * \param[in] tolerance how far a face may be from the nearest point of g, >= 0; infinite: the box of the
  *   Bezier points.
- * \param[out] lower [dim].
- * \param[out] upper [dim].
- * \param[out] gap or NULL: largest distance of a face from the spline, proven, at most the tolerance apart
- *   from rounding unless 20000 halvings do not reach it.
+ * \param[out] lower [dim] the lower corner.
+ * \param[out] upper [dim] the upper corner.
+ * \param[out] gap or NULL: a proven bound of the largest distance of a face from the spline; at most the
+ *   tolerance, apart from rounding, unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
- *   _EMPTY_DOMAIN if range is no interval of the domain, _NOT_REPRESENTABLE if a point of a homogeneous
+ *   _EMPTY_DOMAIN if range is not an interval of the domain, _NOT_REPRESENTABLE if a point of a homogeneous
  *   spline overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_box(const nurbs *g, const double *range, double tolerance, double *lower,
                                  double *upper, double *gap);
 
-/** \brief A box with axes of its own that contains a spline: { center + sum_k x_k axes[k], |x_k| <= half[k]
- * }. Its axes are the principal ones of the control points, longest first, or the coordinate axes where
- * that box has no larger content.
+/** \brief A box with axes of its own that contains a spline.
+ *
+ * It is { center + sum_k x_k axes[k], |x_k| <= half[k] }. Its axes are the principal axes of the control
+ * points, longest first, or the coordinate axes where the box along these has no larger content.
  * \param[in] g a spline.
  * \param[in] tolerance how far a face may be from the nearest point of g, >= 0, may be infinite.
- * \param[out] center [dim].
+ * \param[out] center [dim] the middle of the box.
  * \param[out] axes [dim][dim] orthonormal to rounding, right-handed in dimension 3.
  * \param[out] half [dim] half the lengths of the sides.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _DIMENSION if it exceeds 16,
@@ -5058,18 +5151,20 @@ NURBS_API nurbs_status nurbs_box(const nurbs *g, const double *range, double tol
 NURBS_API nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center, double *axes,
                                           double *half);
 
-/** \brief A cone that contains the directions of all derivatives along an axis, and so those at kinks; zero
- * vectors have none. Boundaries of Bezier pieces where derivatives vanish to rounding are divided out.
+/** \brief A cone that contains the directions of all derivatives along an axis.
+ *
+ * So it contains those on both sides of kinks. Zero vectors have no direction. Boundaries of Bezier pieces
+ * where derivatives vanish to rounding are divided out.
  * \param[in] g a spline.
  * \param[in] axis 0-based axis.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain.
- * \param[in] tolerance halving ends when a derivative occurs whose angle with the direction is within this
- *   of that of the cone, or after 2000 halvings; >= 0, in radians, may be infinite.
+ * \param[in] tolerance in radians, >= 0, may be infinite: halving ends when the angle between some derivative
+ *   and the direction is within this of the angle of the cone, or after 2000 halvings.
  * \param[out] direction [dim] unit vector, the axis of the cone: the middle of the coefficients.
- * \param[out] angle half its opening, in radians; pi if no smaller one is found, and direction is then a
- *   unit vector without meaning.
- * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE;
- *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain.
+ * \param[out] angle half the opening angle, in radians; pi if no smaller one is found, and direction is then
+ *   a unit vector without meaning.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _AXIS, _OVERLAP, _TOLERANCE, _NOT_REPRESENTABLE; _PARAMETER_NOT_FINITE,
+ *   _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is not an interval of the domain.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const double *range, double tolerance,
                                           double *direction, double *angle);
@@ -5079,7 +5174,7 @@ NURBS_API nurbs_status nurbs_tangent_cone(const nurbs *g, int32_t axis, const do
  * \param[in] range [2][2] or NULL for all of it: the part of the domain.
  * \param[in] tolerance as for nurbs_tangent_cone().
  * \param[out] direction [3] unit vector, the axis of the cone.
- * \param[out] angle half its opening, in radians; pi if no smaller one is found.
+ * \param[out] angle half the opening angle, in radians; pi if no smaller one is found.
  * \return as for nurbs_tangent_cone(), and NURBS_ERROR_AXES, _DIMENSION.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, double tolerance,
@@ -5090,14 +5185,14 @@ NURBS_API nurbs_status nurbs_normal_cone(const nurbs *g, const double *range, do
  * \param[in] direction [dim], not zero.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain.
  * \param[in] tolerance how much farther another point may be, as a length, >= 0.
- * \param[out] params [axes] or NULL: of the point. Where g jumps, or ends in the range, the limit from inside
- *   the range may be meant.
+ * \param[out] params [axes] or NULL: the parameters of the point. Where g jumps, or ends in the range, the
+ *   limit from inside the range may be meant.
  * \param[out] value or NULL: direction . C there.
- * \param[out] bound or NULL: no point has more, proven; at most value + tolerance |direction| apart from
- *   rounding unless 20000 halvings do not reach it.
+ * \param[out] bound or NULL: a proven upper bound of the value at all points; at most value + tolerance
+ *   |direction|, apart from rounding, unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _DIRECTION; _NOT_REPRESENTABLE if the value
  *   overflows, or no weight can be shown to be positive; _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or
- *   _EMPTY_DOMAIN if range is no interval of the domain.
+ *   _EMPTY_DOMAIN if range is not an interval of the domain.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *direction, const double *range,
                                            double tolerance, double *params, double *value, double *bound);
@@ -5110,12 +5205,12 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
  * nurbs_curve_features(curve, NURBS_FEATURE_CUSP, 0, NULL, NULL, NULL, &count, &complete);
  * \endcode
  * Places where something happens on a curve or surface. Features are the zeros of polynomials, and the signs
- * of their Bernstein coefficients say how many there are. `complete` receives 1 if it is proven that no
- * feature was missed and each was seen once. It receives 0 if zeros lie so close together, or are so flat,
- * that double precision cannot decide: extrema along an arc of a circle, whose curvature is constant, and
- * inflections along a straight line, unless it is one of degree 1. Polynomials that vanish to rounding at a
- * knot count as 0 there: zeros within rounding of a knot are at it. Vectors, such as C' at a cusp, count as 0
- * if all components vanish to rounding at the zero of one of them.
+ * of the Bernstein coefficients of these say how many there are. `complete` receives 1 if it is proven that
+ * no feature was missed and each was found once. It receives 0 if zeros lie so close together, or are so
+ * flat, that double precision cannot decide, as for extrema along an arc of a circle, whose curvature is
+ * constant, and for inflections along a straight line, unless its degree is 1. Polynomials that vanish to
+ * rounding at a knot count as 0 there: zeros within rounding of a knot are at the knot. Vectors, such as C'
+ * at a cusp, count as 0 if all components vanish to rounding at the zero of one of them.
  * @{ */
 
 /** \name Features of curves
@@ -5131,13 +5226,13 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 /** @} */
 
 /** \name Kinds of extrema
- * Bits: an extremum that is not alone is a plateau too.
+ * Bits: an extremum that is not isolated is also a plateau.
  * @{ */
 #define NURBS_EXTREMUM_MINIMUM 0x01   /**< no value beside it is smaller */
 #define NURBS_EXTREMUM_MAXIMUM 0x02   /**< no value beside it is larger */
 #define NURBS_EXTREMUM_SADDLE 0x04    /**< f turns up along some axes, and down along others */
 #define NURBS_EXTREMUM_PLATEAU 0x08   /**< f is constant in the range */
-#define NURBS_EXTREMUM_UNDECIDED 0x10 /**< a range in which it is left open what there is */
+#define NURBS_EXTREMUM_UNDECIDED 0x10 /**< a range in which it is not decided what there is */
 /** @} */
 
 /** \name Convexity of a curve in the plane
@@ -5156,20 +5251,21 @@ NURBS_API nurbs_status nurbs_extreme_point(const nurbs *g, const double *directi
 #define NURBS_FOLD_UNDECIDED 2 /**< neither */
 /** @} */
 
-/** \brief Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve. The
- * ends of the domain have none but cusps, also where a curve closes that is not periodic
- * (nurbs_make_periodic); the seam of a periodic curve, given as its lower end, has all. A
- * curvature that jumps at a knot rises or falls there, so that the knot can be a maximum or a minimum.
- * Where |curvature| stays at a maximum or minimum, the middle of that stretch is given.
+/** \brief Inflections, extrema of curvature, cusps, kinks, jumps and changes of torsion along a curve.
+ *
+ * The ends of the domain have no features except cusps, even where a curve that is not periodic closes
+ * (nurbs_make_periodic()). The seam of a periodic curve has all features, at the lower end of the domain. A
+ * curvature that jumps at a knot rises or falls there, so that the knot can be a maximum or a minimum. Where
+ * |curvature| stays at a maximum or minimum, the middle of that stretch is returned.
  * \param[in] g a curve of dimension 2 or 3.
  * \param[in] kinds sum of NURBS_FEATURE_ constants.
  * \param[in] cap length of the outputs: 0, or at least the number of features.
- * \param[out] params [cap] or NULL: where, rising.
- * \param[out] found [cap] or NULL: one NURBS_FEATURE_ constant each.
+ * \param[out] params [cap] or NULL: the parameters, rising.
+ * \param[out] found [cap] or NULL: one NURBS_FEATURE_ constant for each.
  * \param[out] values [cap] or NULL: the curvature there (signed in the plane; infinite at most cusps), the
  *   turning angle of a kink (in the plane positive to the left), the width of a jump.
  * \param[out] count or NULL: number of features.
- * \param[out] complete or NULL: 1 or 0.
+ * \param[out] complete or NULL: 1 if it is proven that there are no others, else 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _FLAGS, _COUNT, _OVERLAP; _DIMENSION also if changes of
  *   torsion are asked for in the plane; _SIZE if cap is neither 0 nor enough; _NOT_REPRESENTABLE if a
  *   coefficient overflows.
@@ -5178,88 +5274,97 @@ NURBS_API nurbs_status nurbs_curve_features(const nurbs *g, uint32_t kinds, int6
                                             int32_t *found, double *values, int64_t *count,
                                             int32_t *complete);
 
-/** \brief nurbs_curve_features() as a call that can be watched and ended.
+/** \brief nurbs_curve_features() with progress reports, cancellation and a limit of work.
  * \param[in] g,kinds,cap as for nurbs_curve_features().
  * \param[out] params,found,values,count,complete as for nurbs_curve_features().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_curve_features(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_features_with(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
                                                  int32_t *found, double *values, int64_t *count,
                                                  int32_t *complete, const nurbs_call_options *call);
 
-/** \brief Local extrema and saddles of a scalar spline f of 1 to 3 axes. (Its global minimum and maximum, with
- * a proven bound: nurbs_extreme_point() with a direction of -1 and 1.)
+/** \brief Local extrema and saddles of a scalar spline f of 1 to 3 axes.
  *
- * Seen along one axis, f turns down at a place if it rises before and falls after it, and up if it falls before
- * and rises after it; at an end of the domain, if it falls or rises from there inwards. That includes knots where
- * f has a kink; where it jumps, it counts as rising or falling from one limit to the other, and each of the two
- * limits is a place. A minimum turns up along all axes, a maximum down, and a saddle up along some and down along
- * others. On a side or an edge of the domain, or where f has a kink along some axes, the other axes are those
- * principal directions of f there in which its derivative vanishes. A saddle on a side is one of the sub- or
- * superlevel sets of f: not where f rises into the domain from one side and falls from another. So the minima less
- * the saddles plus the maxima of a surface that is periodic along both axes are 0. Of a curve, a saddle is where
- * the derivative is 0, from one side at least, and f goes on as it came.
+ * (For its global minimum and maximum, with a proven bound, use nurbs_extreme_point() with a direction of -1
+ * and 1.)
  *
- * Along one axis the signs of Bernstein coefficients prove what there is, as in nurbs_roots(): in a range into
- * which rounding cannot look there is an extremum of the kind that is told, and there may be more. Along more axes
- * each is proven to be the only one in its range (a contraction by Krawczyk's operator), and the signs of second
- * derivatives tell its kind. What is degenerate to rounding, such as a ridge of one height, is undecided; so is
- * what has a weight that cannot be shown to be positive, and, along more axes, the height of a jump that changes
- * its sign.
+ * **Extrema.** Seen along one axis, f turns down at a place if it rises before and falls after it, and turns
+ * up if it falls before and rises after it. At an end of the domain, f turns down if it falls from there
+ * inwards, and up if it rises. Knots where f has a kink are included. Where f jumps, it counts as rising or
+ * falling from one limit to the other, and each of the two limits is a place. A minimum turns up along all
+ * axes, a maximum down along all axes, and a saddle up along some and down along others. On a side or an edge
+ * of the domain, or where f has a kink along some axes, the other axes are replaced by those principal
+ * directions of f there in which its derivative vanishes. A saddle on a side is one of the sub- or superlevel
+ * sets of f: there is none where f rises into the domain from one side and falls from another. So on a
+ * surface that is periodic along both axes, the number of minima less that of saddles plus that of maxima
+ * is 0. On a curve, a saddle is where the derivative is 0, from one side at least, and f goes on in the
+ * direction in which it came.
  *
- * Where control points, not homogeneous ones, say without rounding that f is constant, on spans or on sides where
- * it ends or has a kink, that is a plateau, with its borders. Of a curve it is a minimum, maximum or saddle too by
- * what f does before and after it. On a side or an edge of a surface or volume it is a minimum or maximum too if f
- * is proven to turn up or down along all axes on which it has no extent, and it is left out where f goes on across
- * it. f alone on all of its domain is a plateau, nothing else.
+ * **Proofs.** Along one axis, the signs of Bernstein coefficients prove what there is, as in nurbs_roots().
+ * In a range that rounding cannot resolve there is an extremum of the kind that is returned, and there may be
+ * more. Along more axes, each extremum is proven to be the only one in its range (a contraction, by the
+ * Krawczyk operator), and the signs of second derivatives determine its kind. What is degenerate to rounding,
+ * such as a ridge of constant height, is undecided. So is what has a weight that cannot be shown to be
+ * positive, and, along more axes, a jump whose height changes its sign.
+ *
+ * **Plateaus.** Where control points that are not homogeneous show without rounding that f is constant, on
+ * spans or on sides where it ends or has a kink, that is a plateau, its borders included. On a curve it is
+ * also a minimum, maximum or saddle, by what f does before and after it. On a side or an edge of a surface or
+ * volume it is also a minimum or maximum if f is proven to turn up or down along all axes on which the
+ * plateau has no extent, and it is left out where f goes on across it. An f that is constant on all of its
+ * domain is a plateau and nothing else.
  * \param[in] g a spline of dimension 1.
- * \param[in] kinds sum of NURBS_EXTREMUM_ constants: what has one of these is listed.
+ * \param[in] kinds sum of NURBS_EXTREMUM_ constants: extrema of at least one of these kinds are returned.
  * \param[in] cap length of the outputs: 0, or at least the number of extrema.
- * \param[out] params [cap][axes] or NULL: where, in rising order of the first axis, then the second; the middle of
- *   a plateau or of a range that is undecided. An extremum at the seam of a periodic axis is at its lower end.
- * \param[out] values [cap] or NULL: f there; of a jump, the limit that is meant.
- * \param[out] found [cap] or NULL: a sum of NURBS_EXTREMUM_ constants each.
- * \param[out] boxes [cap][axes][2] or NULL: ranges of parameters, that hold the extremum, or all of a plateau. On
- *   periodic axes they may begin in the period before or end in the next one.
+ * \param[out] params [cap][axes] or NULL: where, in rising order of the first axis, then the second; the
+ *   middle of a plateau or of an undecided range. An extremum at the seam of a periodic axis is at its lower
+ *   end.
+ * \param[out] values [cap] or NULL: f there; at a jump, the limit that is meant.
+ * \param[out] found [cap] or NULL: a sum of NURBS_EXTREMUM_ constants for each.
+ * \param[out] boxes [cap][axes][2] or NULL: ranges of parameters that contain the extremum, or all of a
+ *   plateau. On periodic axes they may begin in the period before or end in the next one.
  * \param[out] count or NULL: number of extrema.
- * \param[out] complete or NULL: 1 if there is nothing outside of the ranges, also of kinds that are not asked
- *   for, and nothing is undecided; 0 also at the limit of work, where what was not looked at is undecided.
- * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _FLAGS, _COUNT, _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap is
- *   neither 0 nor enough.
+ * \param[out] complete or NULL: 1 if nothing is undecided and there is nothing outside the ranges, kinds that
+ *   are not asked for included; else 0. At the limit of work, what was not examined is undecided.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _FLAGS, _COUNT, _OVERLAP, _NOT_REPRESENTABLE; _SIZE if cap
+ *   is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_extrema(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
                                      double *values, int32_t *found, double *boxes, int64_t *count,
                                      int32_t *complete);
 
-/** \brief nurbs_extrema() as a call that can be watched and ended.
+/** \brief nurbs_extrema() with progress reports, cancellation and a limit of work.
  * \param[in] g,kinds,cap as for nurbs_extrema().
  * \param[out] params,values,found,boxes,count,complete as for nurbs_extrema().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_extrema(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_extrema_with(const nurbs *g, uint32_t kinds, int64_t cap, double *params,
                                           double *values, int32_t *found, double *boxes, int64_t *count,
                                           int32_t *complete, const nurbs_call_options *call);
 
-/** \brief The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls
- * or, to rounding, stays on whole Bezier pieces. A jump begins a piece.
+/** \brief The pieces of a curve on which it runs one way along a direction.
+ *
+ * On each piece direction . C(t) rises, falls or, to rounding, is constant on whole Bezier pieces. A jump
+ * begins a piece.
  * \param[in] g a curve.
  * \param[in] direction [dim], not zero.
  * \param[in] cap length of the outputs: 0, or at least the number of pieces.
  * \param[out] starts [cap] or NULL: the lower ends of the pieces, rising.
- * \param[out] signs [cap] or NULL: 1, -1 or 0.
+ * \param[out] signs [cap] or NULL: 1 where direction . C(t) rises, -1 where it falls, or 0.
  * \param[out] count or NULL: number of pieces.
- * \param[out] complete or NULL: 1 or 0.
+ * \param[out] complete or NULL: 1 if rounding hides no change of direction, else 0.
  * \return as for nurbs_curve_features(), and NURBS_ERROR_DIRECTION.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_monotone_pieces(const nurbs *g, const double *direction, int64_t cap,
                                                    double *starts, int32_t *signs, int64_t *count,
                                                    int32_t *complete);
 
-/** \brief Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks
- * included, to rounding: pieces count as straight, and places as not turning, where double precision
- * cannot decide. A curve that jumps is not.
+/** \brief Whether a curve in the plane is convex: whether it turns one way only, and by at most a full turn.
+ *
+ * Kinks are included. The answer is to rounding: where double precision cannot decide whether the curve
+ * turns, pieces count as straight, and places as not turning. A curve that jumps is not convex.
  * \param[in] g a curve of dimension 2.
  * \param[out] convexity one of the NURBS_CONVEXITY_ constants.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _NOT_REPRESENTABLE.
@@ -5271,7 +5376,7 @@ NURBS_API nurbs_status nurbs_curve_convexity(const nurbs *g, int32_t *convexity)
  * \param[out] origin [dim] or NULL: a point of the line.
  * \param[out] direction [dim] or NULL: unit vector, from the start of a curve towards its end where they
  *   differ.
- * \param[out] bound no point of g is farther from the line.
+ * \param[out] bound no point of g is farther from the line than this.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_straightness(const nurbs *g, double *origin, double *direction, double *bound);
@@ -5280,18 +5385,20 @@ NURBS_API nurbs_status nurbs_straightness(const nurbs *g, double *origin, double
  * \param[in] g a spline of dimension 3.
  * \param[out] origin [3] or NULL: a point of the plane.
  * \param[out] normal [3] or NULL: unit vector, its largest component positive.
- * \param[out] bound no point of g is farther from the plane.
+ * \param[out] bound no point of g is farther from the plane than this.
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _OVERLAP, _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *normal, double *bound);
 
-/** \brief Which axes of a spline close and which of its boundaries collapse, with proven bounds. Boundaries
- * are counted by axis, then by end.
+/** \brief Which axes of a spline close and which of its boundaries collapse, with proven bounds.
+ *
+ * Boundaries are counted by axis, then by end.
  * \param[in] g a spline.
- * \param[in] tolerance >= 0.
+ * \param[in] tolerance the largest distance that counts as zero, >= 0.
  * \param[out] closed [axes] or NULL: 1 where the two boundaries of an axis are nowhere farther apart than the
  *   tolerance, at equal parameters, else 0.
- * \param[out] gaps [axes] or NULL: no point of one is farther than this from that of the other.
+ * \param[out] gaps [axes] or NULL: the two boundaries of the axis are nowhere farther apart than this, at
+ *   equal parameters.
  * \param[out] collapsed [2 * axes] or NULL: 1 where a boundary lies within the tolerance of one point (the
  *   pole), else 0; of a curve always 1.
  * \param[out] sizes [2 * axes] or NULL: the boundary lies within this distance of a point.
@@ -5301,16 +5408,16 @@ NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *n
 NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance, int32_t *closed,
                                                double *gaps, int32_t *collapsed, double *sizes);
 
-/** \brief Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0 (the two first derivatives
- * are parallel, or one of them vanishes). Singular lines, such as collapsed edges, are given by one point
- * on each piece that they cross.
+/** \brief Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0.
+ *
+ * The latter says that the two first derivatives are parallel, or that one of them vanishes. Singular lines,
+ * such as collapsed edges, are represented by one point on each piece that they cross.
  * \param[in] g a curve or a surface.
- * \param[in] tolerance how far apart in the parameters, as a part of the domain, places are told apart, >
- *   0.
+ * \param[in] tolerance > 0: the size in the parameters, relative to the domain, to which places are resolved.
  * \param[in] cap length of the outputs: 0, or at least the number of places.
  * \param[out] params [cap][axes] or NULL: where.
- * \param[out] boxes [cap][axes][2] or NULL: intervals of the parameters in which the singular set around it
- *   lies.
+ * \param[out] boxes [cap][axes][2] or NULL: intervals of the parameters in which the singular set around the
+ *   place lies.
  * \param[out] count or NULL: number of places.
  * \param[out] complete or NULL: 1 if it is proven that g is regular everywhere outside the boxes, except for
  *   boundaries of Bezier pieces that vanish to rounding, which are places with boxes of no width; else 0.
@@ -5321,14 +5428,16 @@ NURBS_API nurbs_status nurbs_boundary_contacts(const nurbs *g, double tolerance,
 NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, int64_t cap, double *params,
                                              double *boxes, int64_t *count, int32_t *complete);
 
-/** \brief Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of
- * the first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x S_v) .
- * reference. Where J is 0 only on collapsed boundaries there is no fold. Undecided is what 20000 halvings
- * do not decide, a J that comes to 0 inside without a change of sign, and volumes whose degrees are
- * together so high that J has more coefficients than can be formed in seconds.
+/** \brief Whether a surface or volume folds over: whether the sign of J changes.
+ *
+ * For a surface in the plane or a volume in space, J is the determinant of the first derivatives; for a
+ * surface in space, J is (S_u x S_v) . reference. Where J is 0 only on collapsed boundaries, there is no
+ * fold. The result is undecided if 20000 halvings do not decide it, if J comes to 0 inside without a change
+ * of sign, and for volumes whose degrees are together so high that J has more coefficients than can be formed
+ * in seconds.
  * \param[in] g a surface of dimension 2 or 3, or a volume of dimension 3.
- * \param[in] reference [3] or NULL for the vector area, the integral of S_u x S_v: of a surface in space the
- *   direction that normals are compared with; of others it must be NULL.
+ * \param[in] reference [3] or NULL for the vector area, the integral of S_u x S_v: for a surface in space,
+ *   the direction that normals are compared with; for others it must be NULL.
  * \param[out] result one of the NURBS_FOLD_ constants.
  * \param[out] positive [axes] or NULL: parameters with J > 0, NaN if none are known.
  * \param[out] negative [axes] or NULL: parameters with J < 0, NaN if none are known.
@@ -5339,33 +5448,35 @@ NURBS_API nurbs_status nurbs_singular_points(const nurbs *g, double tolerance, i
 NURBS_API nurbs_status nurbs_fold_test(const nurbs *g, const double *reference, int32_t *result,
                                        double *positive, double *negative);
 
-/** \brief nurbs_fold_test() as a call that can be watched and ended.
+/** \brief nurbs_fold_test() with progress reports, cancellation and a limit of work.
  * \param[in] g,reference as for nurbs_fold_test().
  * \param[out] result,positive,negative as for nurbs_fold_test().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_fold_test(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fold_test_with(const nurbs *g, const double *reference, int32_t *result,
                                             double *positive, double *negative,
                                             const nurbs_call_options *call);
 
-/** \brief nurbs_fold_test() of each polynomial piece by itself, in the order of nurbs_bezier_pieces() and
- * nurbs_bezier_cells(), with one reference for all of them.
+/** \brief nurbs_fold_test() of each polynomial piece by itself.
+ *
+ * The pieces are in the order of nurbs_bezier_pieces() and nurbs_bezier_cells(), and all have one reference.
  * \param[in] g,reference as for nurbs_fold_test().
  * \param[in] cap length of the outputs: 0, or at least the number of pieces.
- * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant for each piece; undecided is what 2000 halvings do not decide.
- * \param[out] signs [cap] or NULL: 1 or -1, the sign that J is proven to have wherever in the piece it is not 0, if there is
- *   no fold; else 0, as where J is 0 everywhere.
+ * \param[out] folds [cap] or NULL: a NURBS_FOLD_ constant for each piece; undecided if 2000 halvings do not
+ *   decide it.
+ * \param[out] signs [cap] or NULL: if there is no fold, 1 or -1: the sign that J is proven to have wherever
+ *   in the piece it is not 0; else 0, also where J is 0 everywhere.
  * \param[out] count or NULL: number of pieces.
  * \return as for nurbs_fold_test(), and NURBS_ERROR_COUNT, _OVERFLOW; _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fold_pieces(const nurbs *g, const double *reference, int64_t cap, int32_t *folds,
                                          int32_t *signs, int64_t *count);
 
-/** \brief nurbs_fold_pieces() as a call that can be watched and ended.
+/** \brief nurbs_fold_pieces() with progress reports, cancellation and a limit of work.
  * \param[in] g,reference,cap as for nurbs_fold_pieces().
  * \param[out] folds,signs,count as for nurbs_fold_pieces().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_fold_pieces(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_fold_pieces_with(const nurbs *g, const double *reference, int64_t cap,
@@ -6773,11 +6884,11 @@ typedef struct nurbs_constraint_report {
     double optimality;   /**< receives the relative length of the gradient */
 } nurbs_constraint_report;
 
-/** \brief nurbs_constrain() as a call that can be watched and ended.
+/** \brief nurbs_constrain() with progress reports, cancellation and a limit of work.
  * \param[in] g as for nurbs_constrain().
  * \param[in] constraints what is to hold.
  * \param[in,out] report or NULL: where the answers go.
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_constrain(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -6864,10 +6975,10 @@ NURBS_API nurbs_status nurbs_bend(const nurbs *g, const double *origin, const do
                                   const double *across, double curvature, double lower, double upper,
                                   double tolerance, double *deviation, int32_t *proven, nurbs **out);
 
-/** \brief nurbs_bend() as a call that can be watched and ended.
+/** \brief nurbs_bend() with progress reports, cancellation and a limit of work.
  * \param[in] g,origin,along,across,curvature,lower,upper,tolerance as for nurbs_bend().
  * \param[out] deviation,proven as for nurbs_bend().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_bend(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -6897,10 +7008,10 @@ NURBS_API nurbs_status nurbs_free_form_deform(const nurbs *g, const nurbs *volum
                                               const double *upper, double tolerance, double *deviation,
                                               int32_t *proven, nurbs **out);
 
-/** \brief nurbs_free_form_deform() as a call that can be watched and ended.
+/** \brief nurbs_free_form_deform() with progress reports, cancellation and a limit of work.
  * \param[in] g,volume,lower,upper,tolerance as for nurbs_free_form_deform().
  * \param[out] deviation,proven as for nurbs_free_form_deform().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_free_form_deform(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -6929,10 +7040,10 @@ NURBS_API nurbs_status nurbs_free_form_deform_with(const nurbs *g, const nurbs *
 NURBS_API nurbs_status nurbs_fair(const nurbs *g, int32_t order, const int32_t *keep, double tolerance,
                                   double *energies, double *bound, nurbs **out);
 
-/** \brief nurbs_fair() as a call that can be watched and ended.
+/** \brief nurbs_fair() with progress reports, cancellation and a limit of work.
  * \param[in] g,order,keep,tolerance as for nurbs_fair().
  * \param[out] energies,bound as for nurbs_fair().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new handle.
  * \return as for nurbs_fair(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -7251,46 +7362,50 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  * nurbs_destroy(circle);
  * \endcode
  * A face is the part of a surface that loops of curves in its domain bound. The curves of a loop follow one
- * another, each beginning where the one before it ends, and the first where the last one ends. Inside is what
+ * another: each begins where the one before it ends, and the first where the last one ends. Inside is what
  * lies to the left of the loops, in a plane with u to the right and v upwards: outer loops run
  * counterclockwise, holes clockwise.
  *
- * Surfaces close up. An axis is closed if its two boundaries are nowhere farther apart than the tolerance of
- * the face (nurbs_boundary_contacts()); periodic axes are. Loops live in the plane that is covered by copies
- * of the domain: on a closed axis a curve may run over an end into the next copy, each curve is taken in the
- * copy in which it begins nearest to the end of the one before, and a loop may end in another copy of the
- * place where it began, having run around the axis. One such loop bounds a cap of a sphere, two a band of a
- * cylinder; what lies to their left is inside. A boundary no larger than the tolerance is a pole. Two curves
- * that end and begin at a pole are joined along it, the inside to the left.
+ * **Surfaces that close.** An axis is closed if its two boundaries are nowhere farther apart than the
+ * tolerance of the face (nurbs_boundary_contacts()); periodic axes are closed. Loops lie in the plane that
+ * copies of the domain cover. On a closed axis a curve may run over an end of the domain into the next copy.
+ * Each curve is taken in the copy in which it begins nearest to the end of the one before it, and a loop may
+ * end in another copy of the place where it began, having run around the axis. One such loop bounds a cap of
+ * a sphere, two bound a band of a cylinder; what lies to their left is inside. A boundary no larger than the
+ * tolerance is a pole. If one curve ends at a pole and the next begins at it, the two are joined along the
+ * pole, with the inside to the left.
  *
- * Edges are the curves in space that belong to the curves of the loops. Either may be missing. A missing
- * curve of the domain is made under its edge, a missing edge over its curve; both then have equal parameters
- * (opposite ones if the edge runs against the curve), and nurbs_face_deviation() tells how far apart they
- * are.
+ * **Edges** are the curves in space that belong to the curves of the loops. Either may be missing. A missing
+ * curve of the domain is made under its edge, and a missing edge over its curve. Both then have equal
+ * parameters (opposite ones if the edge runs against the curve), and nurbs_face_deviation() returns how far
+ * apart they are.
  *
- * Answers are exact for the stored curves, and for the segments that join ends which do not meet. Faces never
- * change, are counted as splines are, and may be used by any number of threads at once.
+ * Results are exact for the stored curves, and for the segments that join ends which do not meet. Faces are
+ * immutable and reference counted, as splines are, and any number of threads may use one at once.
  * @{ */
 
-/** \brief A face of a surface and loops of curves. Outer loops and holes are recognised, whatever their order
- * and direction, by which loops lie in which: those that do not run around a closed axis are turned so that
- * loops in an even number of others enclose what is inside. Where loops run around a closed axis, these say
- * what is inside before the others. With NURBS_AS_ORIENTED no loop is turned. A loop that is turned has its
- * curves in the opposite order and each of them reversed, t -> -t.
+/** \brief A face made of a surface and loops of curves.
  *
- * With NURBS_CHECK_CROSSINGS loops that cross themselves or each other are refused, in all copies of a closed
- * domain. To the left of a loop is the inside, to its right the outside. Where curves cross, places lie to the
- * left, or to the right, of one curve more than that. So all hits of the curves are found, as by
- * nurbs_curve_intersections() with a tolerance of 0, and samples beside the parts of the loops between them show
- * whether there are such places. These are taken at the tolerance and at twice the tolerance from the curve: what
- * is thinner is no crossing. Loops may touch each other and themselves, in points and where curves end. Curves
- * that run along each other are refused, but for those of one loop that go there and back, as along a seam, and
- * those of two loops that run around a closed axis in opposite directions. Loops that lie in each other as no
- * face has them are refused with NURBS_ERROR_ORIENTATION. Segments that close gaps larger than the tolerance are
- * curves too.
+ * Outer loops and holes are recognised, whatever their order and direction, by which loops lie inside which.
+ * Loops that do not run around a closed axis are turned so that those inside an even number of others enclose
+ * what is inside. Where loops run around a closed axis, these say what is inside before the others do. With
+ * NURBS_AS_ORIENTED no loop is turned. A loop that is turned has its curves in the opposite order and each of
+ * them reversed, t -> -t.
  *
- * Costs: curves that are made take a nearest point for each place that they go through, the rest is linear in the
- * number of spans. The check takes n log n for n curves, and the search for hits of those whose boxes meet.
+ * **Crossings.** With NURBS_CHECK_CROSSINGS, loops that cross themselves or each other are refused, in all
+ * copies of a closed domain. To the left of a loop is the inside, to its right the outside. Where curves
+ * cross, there are places to the left, or to the right, of one curve more than that. So all hits of the
+ * curves are found, as by nurbs_curve_intersections() with a tolerance of 0, and samples beside the parts of
+ * the loops between them show whether there are such places. The samples are taken at the tolerance and at
+ * twice the tolerance from the curve: what is thinner is not a crossing. Loops may touch each other and
+ * themselves, in points and where curves end. Curves that run along each other are refused, except those of
+ * one loop that go there and back, as along a seam, and those of two loops that run around a closed axis in
+ * opposite directions. Loops that lie inside each other in a way that no face allows are refused with
+ * NURBS_ERROR_ORIENTATION. Segments that close gaps larger than the tolerance are checked like curves.
+ *
+ * Costs: each curve that is made takes a nearest point for each place that it goes through; the rest is
+ * linear in the number of spans. The check takes n log n for n curves, and the search for hits of those whose
+ * boxes meet.
  * \param[in] surface a surface.
  * \param[in] loops number of loops; 0: the whole surface, bounded by those of its boundaries that neither
  *   meet nor are poles, from the lower left corner on.
@@ -7303,30 +7418,30 @@ NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range,
  * \param[in] keys [size] or NULL for zeros: numbers of edges, the same in all faces that share an edge,
  *   negative if the edge runs against the direction of the loop. 0: an edge without number, which runs with
  *   the loop.
- * \param[in] tolerance the largest distance in space that counts as none, >= 0: of ends that are to meet, of
+ * \param[in] tolerance the largest distance in space that counts as zero, >= 0: of ends that are to meet, of
  *   edges from the surface, of curves beyond the domain.
- * \param[in] flags NURBS_AS_ORIENTED; NURBS_CHECK_CROSSINGS; NURBS_KEEP_GAPS: gaps larger than the tolerance are
- *   closed by segments, too.
- * \param[out] gaps [loops] or NULL: the largest distance in space of two ends that are to meet, for each
- *   loop; written in case of NURBS_ERROR_GAP, too, where curves do not meet.
+ * \param[in] flags sum of NURBS_AS_ORIENTED, NURBS_CHECK_CROSSINGS and NURBS_KEEP_GAPS, by which gaps larger
+ *   than the tolerance are closed by segments, too; or 0.
+ * \param[out] gaps [loops] or NULL: for each loop, the largest distance in space of two ends that are to
+ *   meet. They are written with NURBS_ERROR_GAP, too, where curves do not meet.
  * \param[out] out the new face.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _FLAGS, _OVERLAP;
  *   _GAP naming the loop if curves do not meet, or the edge that is off the surface; _OUTSIDE_DOMAIN naming a
  *   curve that leaves the domain on an axis that is not closed; _WEIGHT_SIGN; _ORIENTATION naming a loop that
  *   encloses nothing, or has its left side where another one has its right side; _NOT_CONVERGED for an edge
- *   without a curve under it; with NURBS_CHECK_CROSSINGS _CROSSING naming two curves with their loops and the
- *   parameters where they cross, and _NOT_CONVERGED naming two of which it is left open whether they do, by
- *   rounding or at the usual limit of work.
+ *   under which no curve is found; with NURBS_CHECK_CROSSINGS _CROSSING naming two curves with their loops
+ *   and the parameters where they cross, and _NOT_CONVERGED naming two of which it is undecided whether they
+ *   do, because of rounding or at the limit of work.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_create(const nurbs *surface, int64_t loops, const int64_t *sizes,
                                          const nurbs *const *curves, const nurbs *const *edges,
                                          const int64_t *keys, double tolerance, uint32_t flags, double *gaps,
                                          nurbs_face **out);
 
-/** \brief nurbs_face_create() as a call that can be watched and ended.
+/** \brief nurbs_face_create() with progress reports, cancellation and a limit of work.
  * \param[in] surface,loops,sizes,curves,edges,keys,tolerance,flags as for nurbs_face_create().
  * \param[out] gaps as for nurbs_face_create().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new face.
  * \return as for nurbs_face_create(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -7363,7 +7478,7 @@ NURBS_API nurbs_status nurbs_face_surface(const nurbs_face *face, nurbs **out);
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_loops(const nurbs_face *face, int64_t cap, int64_t *sizes, int64_t *count);
 
-/** \brief A curve of a loop in the domain of the surface, as it runs with the inside to its left.
+/** \brief A curve of a loop in the domain of the surface, running with the inside to its left.
  * \param[in] face a face.
  * \param[in] loop 0-based.
  * \param[in] index 0-based, in the loop.
@@ -7372,11 +7487,13 @@ NURBS_API nurbs_status nurbs_face_loops(const nurbs_face *face, int64_t cap, int
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_curve(const nurbs_face *face, int64_t loop, int64_t index, nurbs **out);
 
-/** \brief The edge in space that belongs to a curve of a loop: the one that was given, in its own direction,
- * or one that is made. That is the surface composed with the curve where its degree is at most
- * NURBS_MAX_DEGREE and the curve stays in the domain (nurbs_compose(); on a plane parallelogram of degree 1 the curve
- * with its control points moved there, of its own degree), else a curve through as many places as the tolerance of the
- * face takes.
+/** \brief The edge in space that belongs to a curve of a loop.
+ *
+ * It is the edge that was given, in its own direction, or one that is made. The latter is the surface
+ * composed with the curve (nurbs_compose()) where the degree of this is at most NURBS_MAX_DEGREE and the
+ * curve stays in the domain; on a plane parallelogram of degree 1 it is the curve with its control points
+ * moved there, of its own degree. Elsewhere it is a curve through as many places as the tolerance of the face
+ * takes.
  * \param[in] face a face.
  * \param[in] loop 0-based.
  * \param[in] index 0-based, in the loop.
@@ -7388,15 +7505,16 @@ NURBS_API nurbs_status nurbs_face_curve(const nurbs_face *face, int64_t loop, in
 NURBS_API nurbs_status nurbs_face_edge(const nurbs_face *face, int64_t loop, int64_t index, int64_t *key,
                                        nurbs **out);
 
-/** \brief How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if
- * that is within the tolerance of the face, else from each to the nearest point of the other. The largest of
- * these is the true tolerance of a face.
+/** \brief How far a curve of a loop, mapped by the surface, and its edge are apart.
+ *
+ * The distance is that at equal parameters if this is within the tolerance of the face, otherwise that from
+ * each to the nearest point of the other. The largest of these distances is the true tolerance of a face.
  * \param[in] face a face.
  * \param[in] loop 0-based.
  * \param[in] index 0-based, in the loop.
  * \param[out] distance the distance.
- * \param[out] proven or NULL: 1 if it is a bound; 0 if it is the largest one seen, because the composed curve
- *   would have a degree above NURBS_MAX_DEGREE, or the search ended at its limit.
+ * \param[out] proven or NULL: 1 if the distance is a proven bound; 0 if it is the largest one seen, because
+ *   the composed curve would have a degree above NURBS_MAX_DEGREE, or the search ended at its limit.
  * \return NURBS_OK, NURBS_ERROR_NULL, _INDEX, _OVERLAP, _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_deviation(const nurbs_face *face, int64_t loop, int64_t index,
@@ -7409,11 +7527,12 @@ NURBS_API nurbs_status nurbs_face_deviation(const nurbs_face *face, int64_t loop
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_tolerance(const nurbs_face *face, double *tolerance);
 
-/** \brief On which side of the boundary of a face parameters lie. Curves are cut into pieces on which both
- * parameters run one way; of the pieces in the column above a place each says by its direction from which
- * side it is passed, so that the answer is exact for the stored curves. It is 0 where rounding would have to
- * decide, which takes a distance of some units of rounding. On closed axes parameters outside of the domain
- * are wrapped; on others they are outside.
+/** \brief On which side of the boundary of a face places of the domain lie.
+ *
+ * Curves are cut into pieces on which both parameters run one way. The direction of each piece in the column
+ * above a place says from which side the piece is passed, so that the answer is exact for the stored curves.
+ * It is 0 where rounding would have to decide, which happens only within some units of rounding of a curve.
+ * On closed axes, parameters outside the domain are wrapped; on other axes, such places are outside.
  * \param[in] face a face.
  * \param[in] n number of parameters.
  * \param[in] params [n][2] finite.
@@ -7429,10 +7548,10 @@ NURBS_API nurbs_status nurbs_face_classify(const nurbs_face *face, int64_t n, co
                                            int64_t param_stride, int64_t param_component_stride,
                                            double tolerance, int32_t *sides);
 
-/** \brief nurbs_face_classify() as a call that can be watched and ended.
+/** \brief nurbs_face_classify() with progress reports, cancellation and a limit of work.
  * \param[in] face,n,params,param_stride,param_component_stride,tolerance as for nurbs_face_classify().
  * \param[out] sides as for nurbs_face_classify().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_classify(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_classify_with(const nurbs_face *face, int64_t n, const double *params,
@@ -7440,20 +7559,22 @@ NURBS_API nurbs_status nurbs_face_classify_with(const nurbs_face *face, int64_t 
                                                 double tolerance, int32_t *sides,
                                                 const nurbs_call_options *call);
 
-/** \brief Where rays x = origin + t direction, t >= 0, meet a face first: hits of its surface, as
- * nurbs_surface_rays() finds them, that lie inside of its loops for certain. A hit so near to a curve of a loop
- * that rounding would have to decide is a touch; what lies outside for certain is passed over, so that without
- * a hit or a touch NURBS_RAY_CERTIFIED proves that the ray meets no point of the face. The face ends where its
- * curves are, not where they are within its tolerance: nurbs_model_rays() allows for that.
+/** \brief The first hits of rays x = origin + t direction, t >= 0, with a face.
+ *
+ * They are hits of its surface, as by nurbs_surface_rays(), that lie inside its loops for certain. A hit so
+ * near to a curve of a loop that rounding would have to decide is a touch. What lies outside for certain is
+ * passed over, so that NURBS_RAY_CERTIFIED without a hit or a touch proves that the ray meets no point of the
+ * face. The face ends where its curves are, not where they are within its tolerance: nurbs_model_rays()
+ * allows for that.
  * \param[in] face a face of a surface of dimension 3.
  * \param[in] n number of rays.
- * \param[in] origins [n][3].
+ * \param[in] origins [n][3] the origins of the rays.
  * \param[in] origin_stride,origin_component_stride layout of origins, 0 = packed.
- * \param[in] directions [n][3] of any length but 0.
+ * \param[in] directions [n][3] their directions, of any length but 0.
  * \param[in] direction_stride,direction_component_stride layout of directions, 0 = packed.
- * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither hit nor touch.
- * \param[out] distances [n] or NULL: t, which is in lengths of the direction; NaN as above.
- * \param[out] status [n] or NULL: NURBS_RAY_ bits as of nurbs_surface_rays().
+ * \param[out] params [n][2] or NULL: parameters of the surface; NaN where there is neither a hit nor a touch.
+ * \param[out] distances [n] or NULL: t, in units of the length of the direction; NaN where params are.
+ * \param[out] status [n] or NULL: sums of NURBS_RAY_ bits, as for nurbs_surface_rays().
  * \return NURBS_OK, NURBS_ERROR_NULL, _DIMENSION, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP; _POINT_NOT_FINITE if
  *   an origin is not finite, _DIRECTION if a direction is not finite or 0.
  * \since 1.1 */
@@ -7463,12 +7584,13 @@ NURBS_API nurbs_status nurbs_face_rays(const nurbs_face *face, int64_t n, const 
                                        int64_t direction_component_stride, double *params, double *distances,
                                        int32_t *status);
 
-/** \brief nurbs_face_rays() as a call that can be watched and ended. At the limit of work rays that were not
- * looked at have no bits.
+/** \brief nurbs_face_rays() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, rays that were not examined have no status bits.
  * \param[in] face,n,origins,origin_stride,origin_component_stride,directions as for nurbs_face_rays().
  * \param[in] direction_stride,direction_component_stride as for nurbs_face_rays().
  * \param[out] params,distances,status as for nurbs_face_rays().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_rays(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_rays_with(const nurbs_face *face, int64_t n, const double *origins,
@@ -7478,9 +7600,12 @@ NURBS_API nurbs_status nurbs_face_rays_with(const nurbs_face *face, int64_t n, c
                                             double *distances, int32_t *status,
                                             const nurbs_call_options *call);
 
-/** \brief The points of a face that are nearest to given points: that of its surface, if it lies inside; else the
- * nearest one of the boundary, or of those local minima of the distance from the surface that lie inside and are
- * nearer. Where rounding would have to say whether a point is inside, it counts.
+/** \brief The points of a face that are nearest to given points.
+ *
+ * If the nearest point of the surface lies inside the face, it is the result. Otherwise the result is the
+ * nearest point of the boundary, or the nearest of those local minima of the distance from the surface that
+ * lie inside and are nearer than that. Where rounding would have to say whether a point is inside, it counts
+ * as inside.
  * \param[in] face a face.
  * \param[in] n number of points.
  * \param[in] points [n][dim], finite.
@@ -7488,11 +7613,11 @@ NURBS_API nurbs_status nurbs_face_rays_with(const nurbs_face *face, int64_t n, c
  * \param[in] tolerance how much nearer another point may be, >= 0.
  * \param[out] params [n][2] or NULL: parameters of the surface.
  * \param[out] feet [n][dim] or NULL: the nearest points, as nurbs_eval() gives them.
- * \param[out] distances [n] or NULL.
+ * \param[out] distances [n] or NULL: the distances.
  * \param[out] status [n] or NULL: NURBS_CLOSEST_ bits; NURBS_CLOSEST_BOUNDARY: on the boundary of the face.
- *   Without NURBS_CLOSEST_CERTIFIED a nearer point is not excluded: after the usual budget of
- *   nurbs_closest_points(), where minima are not isolated, and where a curve of the boundary, composed with the
- *   surface, would have a degree above NURBS_MAX_DEGREE.
+ *   Without NURBS_CLOSEST_CERTIFIED a nearer point is not excluded: where the default budget of
+ *   nurbs_closest_points() ends, where minima are not isolated, and where a curve of the boundary, composed
+ *   with the surface, would have a degree above NURBS_MAX_DEGREE.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _TOLERANCE, _POINT_NOT_FINITE,
  *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.1 */
@@ -7501,12 +7626,13 @@ NURBS_API nurbs_status nurbs_face_closest_points(const nurbs_face *face, int64_t
                                                  double tolerance, double *params, double *feet,
                                                  double *distances, int32_t *status);
 
-/** \brief nurbs_face_closest_points() as a call that can be watched and ended. At the limit of work points are not
- * certified.
+/** \brief nurbs_face_closest_points() with progress reports, cancellation and a limit of work.
+ *
+ * At the limit of work, points are not certified.
  * \param[in] face,n,points,point_stride,point_component_stride as for nurbs_face_closest_points().
  * \param[in] tolerance as for nurbs_face_closest_points().
  * \param[out] params,feet,distances,status as for nurbs_face_closest_points().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_closest_points(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_closest_points_with(const nurbs_face *face, int64_t n, const double *points,
@@ -7515,18 +7641,22 @@ NURBS_API nurbs_status nurbs_face_closest_points_with(const nurbs_face *face, in
                                                       double *distances, int32_t *status,
                                                       const nurbs_call_options *call);
 
-/** \brief The smallest distance between two faces, enclosed, as that of splines (nurbs_distance()): at_least <= distance
- * of the nearest points <= at_most, which is the distance of the two points returned; they differ by at most the
- * tolerance and rounding unless the work ends. Nearest points are searched for on the curves of both boundaries, on
- * curves and inside of the other face, and inside of both; there, pairs of pieces of which one lies outside, or along
- * which the distance falls towards others, are left out. Places so near to a curve that rounding would have to say
- * whether they are inside count. Where both surfaces go on beyond edges that are beside each other, as in one plane, with
- * a gap, the search takes a number of pieces in proportion to their length over the gap.
+/** \brief Proven bounds of the smallest distance between two faces.
+ *
+ * As for splines (nurbs_distance()), at_least <= distance of the nearest points <= at_most, and at_most is
+ * the distance of the two points returned. The bounds differ by at most the tolerance and rounding unless the
+ * limit of work ends the search. Nearest points are searched for on the curves of both boundaries, on the
+ * curves of one face and inside the other, and inside both. Inside, pairs of pieces are left out of which one
+ * lies outside its face, or along which the distance falls towards other pieces. Places so near to a curve
+ * that rounding would have to say whether they are inside count as inside. Where both surfaces go on beyond
+ * edges that lie side by side, as in one plane, with a gap between them, the search takes a number of pieces
+ * in proportion to the length of the edges over the gap.
  * \param[in] a,b two faces of surfaces of the same dimension.
- * \param[in] tolerance >= 0.
- * \param[out] at_least,at_most or NULL: the bounds. Where a curve of a boundary, composed with the surface, would have
- *   a degree above NURBS_MAX_DEGREE, at_least comes from ever smaller pieces alone, of which the work allows few.
- * \param[out] params_a,params_b [2] or NULL: parameters of the surface of a, and of that of b.
+ * \param[in] tolerance largest difference of the bounds that is wanted, >= 0.
+ * \param[out] at_least,at_most or NULL: the bounds. Where a curve of a boundary, composed with the surface,
+ *   would have a degree above NURBS_MAX_DEGREE, at_least comes only from ever smaller pieces, of which the
+ *   limit of work allows few.
+ * \param[out] params_a,params_b [2] or NULL: parameters of the surface of a, and of the surface of b.
  * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE; _INCOMPATIBLE if the dimensions differ,
  *   _NOT_REPRESENTABLE if a distance overflows.
@@ -7535,10 +7665,10 @@ NURBS_API nurbs_status nurbs_face_distance(const nurbs_face *a, const nurbs_face
                                            double *at_least, double *at_most, double *params_a,
                                            double *params_b, int32_t *status);
 
-/** \brief nurbs_face_distance() as a call that can be watched and ended.
+/** \brief nurbs_face_distance() with progress reports, cancellation and a limit of work.
  * \param[in] a,b,tolerance as for nurbs_face_distance().
  * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_face_distance().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_distance_with(const nurbs_face *a, const nurbs_face *b, double tolerance,
@@ -7546,17 +7676,20 @@ NURBS_API nurbs_status nurbs_face_distance_with(const nurbs_face *a, const nurbs
                                                 double *params_b, int32_t *status,
                                                 const nurbs_call_options *call);
 
-/** \brief The Hausdorff distances of two faces: how far the point of a that is farthest from b is from it, and the other
- * way round, as of splines (nurbs_hausdorff_distance()); the larger of the two is the symmetric distance.
- * at_least[i] <= distance <= at_most[i], both proven; they differ by at most the tolerance and rounding unless the
- * work ends; at_most may be infinite then. Where a face ends beside the other one, bounds fall with the size of pieces
- * alone, and take their number in proportion to 1 / tolerance. Of a face and a copy of it both are 0.
+/** \brief Proven bounds of the Hausdorff distances of two faces.
+ *
+ * As for splines (nurbs_hausdorff_distance()), the distance from a to b is that of the point of a that is
+ * farthest from b; the distance from b to a is the other way round. The larger of the two is the symmetric
+ * distance. at_least[i] <= distance <= at_most[i], both proven. The bounds differ by at most the tolerance
+ * and rounding unless the limit of work ends the search; at_most may then be infinite. Where a face ends
+ * beside the other one, bounds fall only with the size of the pieces, whose number is in proportion to 1 /
+ * tolerance. For a face and a copy of it, both distances are 0.
  * \param[in] a,b two faces of surfaces of the same dimension.
- * \param[in] tolerance >= 0.
+ * \param[in] tolerance largest difference of the bounds that is wanted, >= 0.
  * \param[out] at_least [2] or NULL: from a to b, from b to a.
  * \param[out] at_most [2] or NULL: the same, from above.
- * \param[out] params_a [2] or NULL: a place of a that is at_least[0] away from b.
- * \param[out] params_b [2] or NULL: one of b that is at_least[1] away from a.
+ * \param[out] params_a [2] or NULL: parameters of a place of a that is at_least[0] away from b.
+ * \param[out] params_b [2] or NULL: parameters of a place of b that is at_least[1] away from a.
  * \param[out] status or NULL: NURBS_CLOSEST_CERTIFIED, NURBS_CLOSEST_BUDGET.
  * \return as for nurbs_face_distance().
  * \since 1.1 */
@@ -7564,10 +7697,10 @@ NURBS_API nurbs_status nurbs_face_hausdorff_distance(const nurbs_face *a, const 
                                                      double tolerance, double *at_least, double *at_most,
                                                      double *params_a, double *params_b, int32_t *status);
 
-/** \brief nurbs_face_hausdorff_distance() as a call that can be watched and ended.
+/** \brief nurbs_face_hausdorff_distance() with progress reports, cancellation and a limit of work.
  * \param[in] a,b,tolerance as for nurbs_face_hausdorff_distance().
  * \param[out] at_least,at_most,params_a,params_b,status as for nurbs_face_hausdorff_distance().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_hausdorff_distance(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_hausdorff_distance_with(const nurbs_face *a, const nurbs_face *b,
@@ -7575,8 +7708,10 @@ NURBS_API nurbs_status nurbs_face_hausdorff_distance_with(const nurbs_face *a, c
                                                           double *params_a, double *params_b, int32_t *status,
                                                           const nurbs_call_options *call);
 
-/** \brief Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
- * Weiss, Evans 2021), each within one span of the surface.
+/** \brief The area of a face.
+ *
+ * It is the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman, Weiss, Evans
+ * 2021), each within one span of the surface.
  * \param[in] face a face.
  * \param[in] relative_tolerance >= 0; 0 asks for the best that double precision and a limit of work give.
  * \param[out] area the area.
@@ -7587,17 +7722,18 @@ NURBS_API nurbs_status nurbs_face_hausdorff_distance_with(const nurbs_face *a, c
 NURBS_API nurbs_status nurbs_face_area(const nurbs_face *face, double relative_tolerance, double *area,
                                        double *error);
 
-/** \brief nurbs_face_area() as a call that can be watched and ended.
+/** \brief nurbs_face_area() with progress reports, cancellation and a limit of work.
  * \param[in] face,relative_tolerance as for nurbs_face_area().
  * \param[out] area,error as for nurbs_face_area().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_area(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_area_with(const nurbs_face *face, double relative_tolerance, double *area,
                                             double *error, const nurbs_call_options *call);
 
-/** \brief Area, centroid and inertia of a face, as nurbs_moments() has them of a whole surface; dim is its
- * dimension.
+/** \brief Area, centroid and inertia of a face, as nurbs_moments() computes them for a whole surface.
+ *
+ * In the shapes below, dim is the dimension of the surface.
  * \param[in] face a face.
  * \param[in] relative_tolerance as for nurbs_face_area().
  * \param[out] content the area.
@@ -7610,67 +7746,70 @@ NURBS_API nurbs_status nurbs_face_area_with(const nurbs_face *face, double relat
 NURBS_API nurbs_status nurbs_face_moments(const nurbs_face *face, double relative_tolerance, double *content,
                                           double *centroid, double *inertia, double *error);
 
-/** \brief nurbs_face_moments() as a call that can be watched and ended.
+/** \brief nurbs_face_moments() with progress reports, cancellation and a limit of work.
  * \param[in] face,relative_tolerance as for nurbs_face_moments().
  * \param[out] content,centroid,inertia,error as for nurbs_face_moments().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_moments(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_moments_with(const nurbs_face *face, double relative_tolerance,
                                                double *content, double *centroid, double *inertia,
                                                double *error, const nurbs_call_options *call);
 
-/** \brief Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a whole
- * surface: rules of Gauss on cells of which the face consists, each between two lines across the first axis and
- * between two curves, or knots, that stay in one span of the surface. All points are in the face, to rounding, and no
- * weight is negative. Beside curved loops the rule follows them through u = 3 x^2 - 2 x^3, which makes it converge
- * fast for bounds that stand upright at an end, like circles, slower for those that are nearly upright within, and
- * exact for none: more nodes, and nurbs_face_area(), tell how good it is. Between straight bounds it is exact for
- * polynomials in the parameters of degree 2 nodes - 2 in all.
+/** \brief Points and weights for integrals of any function over a face.
+ *
+ * They are like those of nurbs_quadrature() for a whole surface: Gauss rules on the cells of which the face
+ * consists. Each cell lies between two lines across the first axis, and between two curves, or knots, that
+ * stay in one span of the surface. All points are in the face, to rounding, and no weight is negative. Beside
+ * curved loops the rule follows the loops through u = 3 x^2 - 2 x^3. It converges fast for bounds that are
+ * vertical at an end, like those of circles, and slower for those that are nearly vertical inside; it is
+ * exact for neither. More nodes, and nurbs_face_area(), show how good it is. Between straight bounds it is
+ * exact for polynomials in the parameters of total degree 2 nodes - 2.
  * \param[in] face a face.
- * \param[in] nodes number of nodes along each axis of a cell, 1 to 64; 0: one more than the larger degree of the
- *   surface.
+ * \param[in] nodes number of nodes along each axis of a cell, 1 to 64; 0: one more than the larger degree of
+ *   the surface.
  * \param[in] cap length of the arrays in points; 0 asks for the number only.
  * \param[out] params [cap][2] or NULL: receives the parameters, packed.
- * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the face in its
- *   domain.
+ * \param[out] weights [cap] or NULL: receives the weights of the parameters, which add up to the size of the
+ *   face in its domain.
  * \param[out] measures [cap] or NULL: receives the weights of areas.
  * \param[out] count or NULL: receives the number of points.
- * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap is
- *   neither 0 nor enough, _ORIENTATION if loops cross or coincide, _NOT_REPRESENTABLE.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _OVERLAP; _COUNT for nodes or cap out of range, _SIZE if cap
+ *   is neither 0 nor enough, _ORIENTATION if loops cross or coincide, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_quadrature(const nurbs_face *face, int32_t nodes, int64_t cap,
                                              double *params, double *weights, double *measures,
                                              int64_t *count);
 
-/** \brief nurbs_face_quadrature() as a call that can be watched and ended.
+/** \brief nurbs_face_quadrature() with progress reports, cancellation and a limit of work.
  * \param[in] face,nodes,cap as for nurbs_face_quadrature().
  * \param[out] params,weights,measures,count as for nurbs_face_quadrature().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_quadrature(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_quadrature_with(const nurbs_face *face, int32_t nodes, int64_t cap,
                                                   double *params, double *weights, double *measures,
                                                   int64_t *count, const nurbs_call_options *call);
 
-/** \brief An axis-aligned box that contains a face; dim is the dimension of its surface. Edges that are
- * composed are bounded as splines are; inside, parts of the surface on which a coordinate may be extreme are
- * halved.
+/** \brief An axis-aligned box that contains a face.
+ *
+ * In the shapes below, dim is the dimension of the surface. Edges that are composed with the surface are
+ * bounded as splines are; inside, parts of the surface on which a coordinate may be extreme are halved.
  * \param[in] face a face.
  * \param[in] tolerance how far a side may be from the nearest point of the face, >= 0.
- * \param[out] lower [dim].
- * \param[out] upper [dim].
- * \param[out] gap or NULL: the largest distance of a side from the face, proven; at most the tolerance apart
- *   from rounding unless 20000 halvings do not reach it.
+ * \param[out] lower [dim] the lower corner.
+ * \param[out] upper [dim] the upper corner.
+ * \param[out] gap or NULL: a proven bound of the largest distance of a side from the face; at most the
+ *   tolerance, apart from rounding, unless 20000 halvings do not reach it.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP, _TOLERANCE, _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_box(const nurbs_face *face, double tolerance, double *lower, double *upper,
                                       double *gap);
 
-/** \brief nurbs_face_box() as a call that can be watched and ended.
+/** \brief nurbs_face_box() with progress reports, cancellation and a limit of work.
  * \param[in] face,tolerance as for nurbs_face_box().
  * \param[out] lower,upper,gap as for nurbs_face_box().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \return as for nurbs_face_box(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_box_with(const nurbs_face *face, double tolerance, double *lower,
@@ -7691,11 +7830,11 @@ NURBS_API nurbs_status nurbs_face_box_with(const nurbs_face *face, double tolera
 /** \name What files are read for
  * Bits of `kinds` in nurbs_read_options. \since 1.1
  * @{ */
-/** \brief curves: of lists all, also those of edges; of models those that no face or edge consists of */
+/** \brief curves: in lists all, also those of edges; in models those that are part of no face or edge */
 #define NURBS_READ_CURVES 0x1u
-/** \brief surfaces: of lists all, also those of faces; of models those that no face consists of (STEP) */
+/** \brief surfaces: in lists all, also those of faces; in models those that are part of no face (STEP) */
 #define NURBS_READ_SURFACES 0x2u
-/** \brief faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too */
+/** \brief faces of models with their edges and vertices, and other edges; in IGES also surfaces alone */
 #define NURBS_READ_FACES 0x4u
 /** @} */
 
@@ -7706,10 +7845,10 @@ typedef struct nurbs_read_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< wanted unit in metres (0.001: millimetres); 0 keeps the file's own */
     int64_t max_bytes;   /**< largest file accepted; 0 means the default, 2^30 */
-    double tolerance; /**< distances in the unit of the result that count as none, in place of the uncertainty
-                              or resolution that a file states: the tolerance of faces, and how near to what the file
-                              states is what has to be made; 0 takes what the file states. \since 1.1 */
-    uint32_t kinds; /**< sum of NURBS_READ_ constants, 0 for all of them: others are left out without a note.
+    double tolerance;    /**< the distance, in the unit of the result, that counts as zero: the tolerance of
+                              faces, and how near to what the file states is what has to be made; 0 for the
+                              uncertainty or resolution that the file states. \since 1.1 */
+    uint32_t kinds; /**< sum of NURBS_READ_ constants, 0 for all of them; others are left out without a note.
                             \since 1.1 */
     uint32_t reserved; /**< 0 */
 } nurbs_read_options;
@@ -7721,56 +7860,73 @@ typedef struct nurbs_read_options {
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int64_t struct_size);
 
-/** \brief Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
- * IGES 5.x (fixed-length ASCII form): entities 126 (rational B-spline curve) and 128 (rational B-spline
- * surface) become splines, in the order of the directory; transformation matrices (124), parameter ranges (as
+/** \brief Reads the curves and surfaces of an IGES or a STEP file.
+ *
+ * The first line of the file says which of the two it is. However the entities of a file name each other,
+ * memory stays below 64 times the size of the file and 1 MB more.
+ *
+ * **IGES 5.x** (fixed-length ASCII form): entities 126 (rational B-spline curve) and 128 (rational B-spline
+ * surface) become splines, in the order of the directory. Transformation matrices (124), parameter ranges (as
  * far as they lie inside the knots), delimiters, unit and model scale are respected. Curves used in the
- * parameter plane of a surface have dimension 2, everything else dimension 3; parameter-plane curves are not
- * scaled to `unit`. An entity whose weights are all equal becomes a polynomial spline, whatever its flags say;
- * an axis becomes periodic if the entity says so and its knots and points wrap, or are closed bit for bit: a
+ * parameter plane of a surface have dimension 2 and are not scaled to `unit`; everything else has
+ * dimension 3. An entity whose weights are all equal becomes a polynomial spline, whatever its flags say. An
+ * axis becomes periodic if the entity says so and its knots and points wrap, or are closed bit for bit: a
  * clamped axis with equal first and last layers becomes a wrapped one, with the same knots and points in its
- * domain, and the seam as a knot of multiplicity `degree`. Every other entity that did not go into a spline,
- * and every 126 or 128 that is not a valid spline, is listed in the notes.
+ * domain, and the seam as a knot of multiplicity `degree`. Every other entity that did not become part of a
+ * spline, and every 126 or 128 that is not a valid spline, is listed in the notes.
  *
- * Since 1.1, after those and in the same order, exactly but for rounding: circular and conic arcs (100, 104),
- * composite curves (102), polygons (106, forms 11, 12, 13 and 63), lines (110), parametric spline curves and
- * surfaces (112, 114), ruled surfaces (118), surfaces of revolution (120), tabulated cylinders (122), spheres
- * (196), tori (198), and planes with a boundary (108), cut to it and 1/64 of its size more. What composite
- * curves and these surfaces are made of is not listed again, but for 126 and 128. The ends of domains are the
- * parameters of IGES, angles in radians; of hyperbolas and parabolas those of ISO 10303-42 (negated where
- * they run against them), of a tabulated cylinder those of its directrix. The angle of a surface of
- * revolution is its first parameter, the one along the generatrix the second. Curves of a composite one are
- * joined where they are no farther apart than the resolution that the file states (1e-6 of the size where it
- * states none), else it is a note and they are listed; pieces of 112 and 114 are joined within that
- * resolution or 1e-9 of the size, and keep other gaps. Matrices count as rotations, mirrors and one scale to
- * 1e-9; others make arcs splines of what they are mapped to, and of spheres, tori and surfaces of revolution
- * notes. Rulings join points of equal parameters of the two splines; where the file asks for others (of equal
- * arc length, or equal angles of an arc and parameters of something else), a note with
- * NURBS_ERROR_UNSUPPORTED says so beside the spline. Offset surfaces (140) and offset curves (130), at one
- * distance along V x T, are as those of STEP, the curves between TT1 and TT2 if one of them is not 0. Surfaces
- * and lines without ends, offset curves at a distance that changes, and trimmed faces are listed in the notes.
+ * Since 1.1, the following entities become splines, too, exactly but for rounding. They come after those
+ * above, in the same order: circular and conic arcs (100, 104), composite curves (102), polygons (106, forms
+ * 11, 12, 13 and 63), lines (110), parametric spline curves and surfaces (112, 114), ruled surfaces (118),
+ * surfaces of revolution (120), tabulated cylinders (122), spheres (196), tori (198), and planes with a
+ * boundary (108), cut to the boundary and 1/64 of its size more.
  *
- * STEP (ISO 10303-21: AP203, AP214, AP242; since 1.1): the surface of each face, the curve of each edge from
- * its start to its end, and the curves and surfaces of which nothing else is made, each of the three in the
- * order of instance numbers. Lines, conics, polylines, trimmed and composite curves, planes, cylinders, cones,
- * spheres, tori, surfaces of revolution and of linear extrusion, trimmed surfaces, and Bezier and B-spline
- * curves and surfaces in all their forms become splines exactly, but for rounding; the ends of their domains
- * are the parameters of ISO 10303-42, with angles in radians. Surfaces without ends are cut to the boundary
- * of their face and 1/64 of its size more. Offset surfaces are known surfaces again where those are from
- * which they are offset; others are approximated, within a quarter of the uncertainty or as near as the size
- * of the file allows, and a note with the reason NURBS_ERROR_TOLERANCE tells within what, which is proven, and
- * the uncertainty where that is more; without a normal at some place they are not read. An offset of an offset
- * goes along the normal S_u x S_v of that, which lies on the other side of the surface beyond one of two
- * centres of curvature; where that changes on the surface it is not read. So are offset curves, C + d V x T /
- * |V x T| with the unit tangent T and the reference direction V, to the left of curves of the plane: those of
- * lines, and of circles around V, are such again; others need a tangent across V, and a note tells those that
- * run against their basis behind a cusp, where its radius of curvature is the distance. What is offset from
- * another approximation is not read. Replicas are images of what they repeat, at equal parameters. Lengths
- * are in the unit of the first context that states units; what stands in other contexts is
- * converted. Parts stay where they are modelled: their placements in assemblies, curves in parameter planes,
- * and how faces are trimmed are not read. Whatever else shapes contain is listed in the notes.
+ * - The entities of which composite curves and these surfaces consist are not listed again, except 126
+ *   and 128.
+ * - The ends of domains are the parameters of IGES, with angles in radians. For hyperbolas and parabolas they
+ *   are those of ISO 10303-42 (negated where the curve runs against these), and for a tabulated cylinder
+ *   those of its directrix. The first parameter of a surface of revolution is the angle, the second that
+ *   along the generatrix.
+ * - The curves of a composite curve are joined where they are no farther apart than the resolution that the
+ *   file states (1e-6 of the size where it states none). Otherwise there is a note, and the curves are
+ *   listed. Pieces of 112 and 114 are joined where they are no farther apart than that resolution or 1e-9 of
+ *   the size, and keep other gaps.
+ * - A matrix counts as a combination of rotation, reflection and one scale if it is that to 1e-9. With
+ *   others, arcs become the splines of their images, and spheres, tori and surfaces of revolution become
+ *   notes.
+ * - Rulings join points of equal parameters of the two splines. Where the file asks for others (of equal arc
+ *   length, or equal angles of an arc and parameters of something else), there is a note with
+ *   NURBS_ERROR_UNSUPPORTED beside the spline.
+ * - Offset surfaces (140) and offset curves (130), at one distance along V x T, are treated as those of STEP;
+ *   the curves are those between TT1 and TT2 if one of these is not 0.
+ * - Unbounded surfaces and lines, offset curves at a distance that changes, and trimmed faces are listed in
+ *   the notes.
  *
- * However the entities of a file name each other, memory stays below 64 times its size and 1 MB more.
+ * **STEP** (ISO 10303-21: AP203, AP214, AP242; since 1.1): the list has the surface of each face, the curve
+ * of each edge from its start to its end, and the curves and surfaces of which nothing else is made, each of
+ * the three in the order of instance numbers. Lines, conics, polylines, trimmed and composite curves, planes,
+ * cylinders, cones, spheres, tori, surfaces of revolution and of linear extrusion, trimmed surfaces, and
+ * Bezier and B-spline curves and surfaces in all their forms become splines exactly, but for rounding. The
+ * ends of their domains are the parameters of ISO 10303-42, with angles in radians. Unbounded surfaces are
+ * cut to the boundary of their face and 1/64 of its size more. Replicas are images of what they repeat, at
+ * equal parameters. Lengths are in the unit of the first context that states units; what belongs to other
+ * contexts is converted. Parts stay where they are modelled: their placements in assemblies, curves in
+ * parameter planes, and the trimming of faces are not read. Whatever else shapes contain is listed in the
+ * notes.
+ *
+ * **Offsets in STEP.** An offset surface is a known surface where the surface that it is offset from is one.
+ * Other offset surfaces are approximated, within a quarter of the uncertainty or as near as the size of the
+ * file allows. A note with the reason NURBS_ERROR_TOLERANCE gives the distance that is proven, and the
+ * uncertainty if the distance is above it. Those without a normal at some place are not read. An offset of an
+ * offset surface goes along the normal S_u x S_v of the latter. Beyond one of the two centres of curvature,
+ * this normal lies on the other side of the surface; where that changes on the surface, the offset is not
+ * read.
+ *
+ * The same holds for offset curves, C + d V x T / |V x T| with the unit tangent T and the reference direction
+ * V, and to the left of curves of the plane. The offsets of lines, and of circles around V, are again lines
+ * and circles. Others need a tangent that is not along V. A note reports those that run against their basis
+ * behind a cusp, where the radius of curvature of the basis is the distance. What is offset from another
+ * approximation is not read.
  * \param[in] bytes [size] the contents of the file.
  * \param[in] size number of bytes.
  * \param[in] options or NULL for the defaults: settings.
@@ -7780,9 +7936,9 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
 NURBS_API nurbs_status nurbs_read(const void *bytes, int64_t size, const nurbs_read_options *options,
                                   nurbs_list **out);
 
-/** \brief nurbs_read() as a call that can be watched and ended.
+/** \brief nurbs_read() with progress reports, cancellation and a limit of work.
  * \param[in] bytes,size,options as for nurbs_read().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new list.
  * \return as for nurbs_read(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -7797,9 +7953,9 @@ NURBS_API nurbs_status nurbs_read_with(const void *bytes, int64_t size, const nu
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_read_file(const char *path, const nurbs_read_options *options, nurbs_list **out);
 
-/** \brief nurbs_read_file() as a call that can be watched and ended.
+/** \brief nurbs_read_file() with progress reports, cancellation and a limit of work.
  * \param[in] path,options as for nurbs_read_file().
- * \param[in] call or NULL: the wishes of the caller.
+ * \param[in] call or NULL: limit of work and progress callback.
  * \param[out] out the new list.
  * \return as for nurbs_read_file(), and NURBS_ERROR_OPTIONS, _CANCELLED, _WORK.
  * \since 1.1 */
@@ -7808,7 +7964,7 @@ NURBS_API nurbs_status nurbs_read_file_with(const char *path, const nurbs_read_o
 
 /** \brief A list of given splines.
  * \param[in] count number of splines, >= 0.
- * \param[in] splines [count] handles, which the list does not take.
+ * \param[in] splines [count] handles, which stay the caller's.
  * \param[in] names [count] or NULL for "0", "1", ...: their names, zero-terminated, in any encoding.
  * \param[in] metres metres per unit of length, 0 if that is not known.
  * \param[out] out the new list.
@@ -7824,7 +7980,7 @@ NURBS_API nurbs_status nurbs_list_create(int64_t count, const nurbs *const *spli
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count);
 
-/** \brief A new handle on spline `index`; it outlives the list.
+/** \brief A new handle on spline `index`, which outlives the list.
  * \param[in] list a list.
  * \param[in] index 0-based.
  * \param[out] out the new handle.
@@ -7832,10 +7988,12 @@ NURBS_API nurbs_status nurbs_list_count(const nurbs_list *list, int64_t *count);
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_get(const nurbs_list *list, int64_t index, nurbs **out);
 
-/** \brief Name of spline `index`: that of the file (IGES: name property, else label and subscript; STEP: name
- * of the face, edge, curve or surface, in UTF-8), else "type#line" such as "126#17", in STEP the instance such
- * as "#17"; in other lists as the function says that made them. At most cap - 1 bytes
- * and a terminating zero are written.
+/** \brief The name of spline `index`.
+ *
+ * In lists from files it is that of the file (IGES: name property, else label and subscript; STEP: name of
+ * the face, edge, curve or surface, in UTF-8). Where the file has none, it is "type#line" such as "126#17",
+ * in STEP the instance such as "#17". In other lists it is the name that the description of the function that
+ * made the list states. At most cap - 1 bytes and a terminating zero are written.
  * \param[in] list a list.
  * \param[in] index 0-based.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.
@@ -7857,10 +8015,10 @@ NURBS_API nurbs_status nurbs_list_note_count(const nurbs_list *list, int64_t *co
  * \param[in] list a list.
  * \param[in] index 0-based.
  * \param[out] entity_type or NULL: type number of the entity in the file's format, 0 if that has none.
- * \param[out] line or NULL: sequence number of the entity in the directory section; of STEP, the number of the
- *   instance.
- * \param[out] reason or NULL: NURBS_ERROR_UNSUPPORTED for an entity that is not read, else what is wrong with
- *   it.
+ * \param[out] line or NULL: sequence number of the entity in the directory section; of STEP, the number of
+ *   the instance.
+ * \param[out] reason or NULL: NURBS_ERROR_UNSUPPORTED for an entity that is not read, otherwise what is wrong
+ *   with it.
  * \param[out] buf [cap] or NULL when cap is 0: receives the text.
  * \param[in] cap size of buf in bytes.
  * \param[out] length or NULL: length of the whole text without the terminating zero.
@@ -7870,16 +8028,18 @@ NURBS_API nurbs_status nurbs_list_note(const nurbs_list *list, int64_t index, in
                                        int64_t *line, nurbs_status *reason, char *buf, int64_t cap,
                                        int64_t *length);
 
-/** \brief Unit of length of the splines in a list.
+/** \brief The unit of length of the splines in a list.
  * \param[in] list a list.
  * \param[out] metres metres per unit, model scale included; 0 if the file names a unit that is not known, and
- *   in lists that are neither from files nor from nurbs_list_create().
- *   An IGES file without any unit is in inches, as IGES has it; of a STEP file without one, 0.
+ *   in lists that are neither from files nor from nurbs_list_create(). An IGES file without any unit is in
+ *   inches, as the standard has it; for a STEP file without one, 0.
  * \return NURBS_OK, NURBS_ERROR_NULL.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_list_unit(const nurbs_list *list, double *metres);
 
-/** \brief Frees a list. Handles taken from it stay valid.
+/** \brief Frees a list.
+ *
+ * Handles taken from it stay valid.
  * \param[in] list or NULL, which does nothing: a list.
  * \since 1.0 */
 NURBS_API void nurbs_list_destroy(nurbs_list *list);
@@ -7895,10 +8055,10 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  * nurbs_destroy(again);
  * \endcode
  * Splines, lists, faces, models and statistics (nurbs_statistics_to_bytes()) as bytes, to be kept, sent or
- * shared. The same values have the same bytes on every machine, so that a hash of the bytes is one of the
- * contents. They are read with one copy, and checked as creation checks its arguments. Any change of up to 64
- * bits in a row is found, and any truncation. The page "The form of bytes" of the manual has the layout with
- * examples: NumPy's view of control points in place, and a spline that is cut out of a list.
+ * shared. The same values have the same bytes on every machine, so that a hash of the bytes is a hash of the
+ * contents. Bytes are read with one copy, and checked as creation checks its arguments. Any change of up to
+ * 64 consecutive bits is found, and any truncation. The page "The form of bytes" of the manual has the layout
+ * with examples: NumPy's view of control points in place, and a spline that is cut out of a list.
  *
  * **The form.** All numbers have their lowest byte first; doubles are those of IEEE 754. Each part begins at
  * a multiple of 64 bytes, with zeros before it, so that programs that know the layout can look at numbers in
@@ -7909,7 +8069,7 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  *     8     2, 2   version of the form: major, minor
  *     12    4      kind: one of the NURBS_BYTES_ constants
  *     16    8      number of all bytes
- *     24    8      CRC-64 of bytes 0-23 and all from 32 on: that of ECMA-182, bits reflected, as xz has it
+ *     24    8      CRC-64 of bytes 0-23 and all from 32 on: that of ECMA-182, bits reflected, as in xz
  *     32    8 * 4  integers of the kind, 0 where there are none
  *     64           the body
  *
@@ -7922,9 +8082,9 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  *                  the points, [N][dim] doubles, or [N][dim + 1] homogeneous ones, last axis fastest
  *                  the weights, [N] doubles
  *
- * **A list.**
+ * **A list.** Its integers have 8 bytes.
  *
- *     64    4 * 8  numbers of places n, of splines that differ m, of notes k, and of bytes of text
+ *     64    4 * 8  numbers of places n, of different splines m, of notes k, and of bytes of text
  *     96    8      metres per unit, a double, 0 if not known
  *     128          n integers: which of the m splines is at each place
  *                  3 k integers: type, line and reason of each note
@@ -7933,8 +8093,8 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  *                  m integers: where each spline begins, counted from the beginning of the list
  *                  the splines, each with a header of its own, so that it can be cut out and read alone
  *
- * Integers of lists have 8 bytes. **Statistics.** Integers: axes, dim, and the exponents of two of the
- * scales of values and of weights.
+ * **Statistics.** Integers: axes, dim, and the exponents of the scales of values and of weights, which are
+ * powers of two.
  *
  *     64           numbers of cells with data c, and of sums of a cell s (8 each)
  *                  for each axis: its degree (8), the number of its breaks (8)
@@ -7942,11 +8102,12 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  *                  c integers: the cells, rising; c integers: how many data are in each
  *                  c s sums of 24 bytes, integers in two's complement
  *
- * **Faces and models** hold the splines of which they consist as lists do, each once; the page has their
+ * **Faces and models** hold the splines of which they consist as lists do, each once; that page has their
  * layouts.
  *
- * **Versions.** A library reads all minor versions of its major version and of those before; later minor
- * versions only add what stands behind all parts that are known. @{ */
+ * **Versions.** A library reads all minor versions of its own major version and of earlier ones. Later minor
+ * versions only add parts after all parts that are known.
+ * @{ */
 
 /** \name Kinds of handles
  * Results of nurbs_bytes_kind(). \since 1.1
@@ -7963,8 +8124,10 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
 #define NURBS_BYTES_MODEL 5
 /** @} */
 
-/** \brief A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
- * each part to a multiple of 64.
+/** \brief A spline as bytes.
+ *
+ * They are 64 bytes and 16 for each axis, 8 for each knot, coordinate and weight, and what brings each part
+ * to a multiple of 64.
  * \param[in] g a spline.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
@@ -7973,23 +8136,26 @@ NURBS_API void nurbs_list_destroy(nurbs_list *list);
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_to_bytes(const nurbs *g, int64_t cap, void *bytes, int64_t *length);
 
-/** \brief The spline of the bytes of nurbs_to_bytes(): the same stored values, bit for bit, and the same
- * periodic axes.
+/** \brief The spline of the bytes of nurbs_to_bytes().
+ *
+ * It has the same stored values, bit for bit, and the same periodic axes.
  * \param[in] bytes [size] the bytes.
  * \param[in] size number of bytes.
  * \param[out] out the new handle.
- * \return as for nurbs_create(), and NURBS_ERROR_FORMAT for bytes that are no handle, or one of another kind,
- *   _TRUNCATED, _VERSION, _CHECKSUM, _SYNTAX.
+ * \return as for nurbs_create(), and NURBS_ERROR_FORMAT for bytes that are not a handle, or one of another
+ *   kind, _TRUNCATED, _VERSION, _CHECKSUM, _SYNTAX.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_from_bytes(const void *bytes, int64_t size, nurbs **out);
 
-/** \brief A list as bytes, with names, notes and unit. Splines whose bytes are the same are stored once.
+/** \brief A list as bytes, with names, notes and unit.
+ *
+ * Splines whose bytes are the same are stored once.
  * \param[in] list a list.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
  * \param[out] length or NULL: number of bytes.
- * \return as for nurbs_to_bytes(); for a list of parts that are made when they are taken also what
- *   nurbs_list_get() returns of them.
+ * \return as for nurbs_to_bytes(); for a list whose parts are made when they are taken, also what
+ *   nurbs_list_get() returns for them.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_to_bytes(const nurbs_list *list, int64_t cap, void *bytes, int64_t *length);
 
@@ -8001,8 +8167,9 @@ NURBS_API nurbs_status nurbs_list_to_bytes(const nurbs_list *list, int64_t cap, 
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_list_from_bytes(const void *bytes, int64_t size, nurbs_list **out);
 
-/** \brief A face as bytes: its surface, loops, edges, keys, tolerance, and what was proven of curves that were
- * made.
+/** \brief A face as bytes.
+ *
+ * They hold its surface, loops, edges, keys, tolerance, and what was proven of curves that were made.
  * \param[in] face a face.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
@@ -8011,9 +8178,10 @@ NURBS_API nurbs_status nurbs_list_from_bytes(const void *bytes, int64_t size, nu
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_to_bytes(const nurbs_face *face, int64_t cap, void *bytes, int64_t *length);
 
-/** \brief The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same machine.
- * The face is made of its loops as it was the first time: they are checked, and distances that were proven
- * are proven again.
+/** \brief The face of the bytes of nurbs_face_to_bytes().
+ *
+ * It gives the same results, bit for bit, on the same machine. It is made of its loops as it was the first
+ * time: they are checked, and distances that were proven are proven again.
  * \param[in] bytes [size] the bytes.
  * \param[in] size number of bytes.
  * \param[out] out the new face.
@@ -8021,10 +8189,11 @@ NURBS_API nurbs_status nurbs_face_to_bytes(const nurbs_face *face, int64_t cap, 
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_face_from_bytes(const void *bytes, int64_t size, nurbs_face **out);
 
-/** \brief A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses, names,
- * colours, solids, layers, kinds of curves and surfaces, and the splines, notes and unit of
- * nurbs_model_splines(). Splines whose
- * bytes are the same are stored once, so that faces of one surface share it again.
+/** \brief A model as bytes, with everything that it holds.
+ *
+ * That is faces, edges, vertices, parts and their uses, names, colours, solids, layers, kinds of curves and
+ * surfaces, and the splines, notes and unit of nurbs_model_splines(). Splines whose bytes are the same are
+ * stored once, so that faces of one surface share it again.
  * \param[in] model a model.
  * \param[in] cap size of bytes: 0, or at least the number of bytes.
  * \param[out] bytes [cap] or NULL: receives the bytes.
@@ -8034,18 +8203,22 @@ NURBS_API nurbs_status nurbs_face_from_bytes(const void *bytes, int64_t size, nu
 NURBS_API nurbs_status nurbs_model_to_bytes(const nurbs_model *model, int64_t cap, void *bytes,
                                             int64_t *length);
 
-/** \brief The model of the bytes of nurbs_model_to_bytes(). Its faces are made as nurbs_face_from_bytes() makes
- * them.
+/** \brief The model of the bytes of nurbs_model_to_bytes().
+ *
+ * Its faces are made as nurbs_face_from_bytes() makes them.
  * \param[in] bytes [size] the bytes.
  * \param[in] size number of bytes.
  * \param[out] out the new model.
  * \return as for nurbs_face_from_bytes(), and NURBS_ERROR_FACTOR for a unit that is negative or not finite;
- *   _DIRECTION, _LENGTH, _ANGLE, _EMPTY_DOMAIN for a known curve or surface that there is none of.
+ *   _DIRECTION, _LENGTH, _ANGLE, _EMPTY_DOMAIN for the numbers of a known curve or surface that belong to
+ *   none.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_model_from_bytes(const void *bytes, int64_t size, nurbs_model **out);
 
-/** \brief Of which kind bytes are, and in which version of the form, from their first 64. Nothing else is
- * looked at: the bytes may be of a later version, or damaged.
+/** \brief The kind of handle that bytes hold, and the version of their form.
+ *
+ * These are read from the first 64 bytes, and nothing else is examined: the bytes may be of a later version,
+ * or damaged.
  * \param[in] bytes [size] the bytes, or the first ones.
  * \param[in] size number of bytes, >= 64.
  * \param[out] kind or NULL: one of the NURBS_BYTES_ constants, or another number for a kind of a later
