@@ -290,6 +290,22 @@ TEST(CurveTraps, overlaps_with_points_at_rest_across_a_seam) {
     expect_overlap(meets(back, periodic, 1e-9), {0, 1}, {to, from}, 1e-3);
 }
 
+// Strokes through places near one, joined far from it: each crosses each other one, also where eight places evenly between
+// them on the curve are near, too.
+TEST(CurveTraps, loops_are_told_by_more_than_samples) {
+    Vec corners;
+    for (int i = 0; i < 9; ++i) {
+        const double angle = 0.3 * i, x = std::cos(angle), y = std::sin(angle), off = 1e-8 * (i * i % 7);
+        corners.insert(corners.end(), {-x - off * y, -y + off * x, x - off * y, y + off * x});
+    }
+    const Handle star = create(polygon(corners));
+    const Hits exact = own_meets(star.get(), 0), near = own_meets(star.get(), 1e-6);
+    EXPECT_EQ(exact.complete, 1);
+    EXPECT_EQ(near.complete, 1);
+    EXPECT_GE(exact.count(NURBS_HIT_CROSSING), 36);
+    EXPECT_EQ(near.count(NURBS_HIT_CROSSING), exact.count(NURBS_HIT_CROSSING));
+}
+
 // Tolerances beyond the size of spans, and curves shorter than the tolerance.
 TEST(CurveTraps, large_tolerances) {
     EXPECT_EQ(meets(circle(0, 0, 1), circle(0, 0, 1.5), 0.6).count(NURBS_HIT_OVERLAP), 1);
