@@ -35,7 +35,7 @@ const intersect::Meet &meet_of(const nurbs_meet *meet) {
 const intersect::Meet &two_surfaces_of(const nurbs_meet *meet) {
     const intersect::Meet &own = meet_of(meet);
     if (!own.of_two) {
-        fail(Status::incompatible, "meet is of one surface or of a model, expected one of two surfaces");
+        fail(Status::incompatible, "meet is of one surface or model, expected one of two");
     }
     return own;
 }
@@ -44,7 +44,7 @@ void check_trims(const intersect::Meet &meet, const nurbs_face *face) {
     require(face, "face");
     const auto is_of_model = [](const auto &of) { return of.face >= 0; };
     if (std::ranges::any_of(meet.nodes, is_of_model) || std::ranges::any_of(meet.branches, is_of_model)) {
-        fail(Status::incompatible, "meet is of a model, expected one of surfaces or faces");
+        fail(Status::incompatible, "meet is of models, expected one of surfaces or faces");
     }
 }
 

@@ -5582,8 +5582,8 @@ NURBS_API nurbs_status nurbs_roots_with(const nurbs *g, double value, double tol
  * \param[in] cap length of the outputs: 0, or at least the number of hits.
  * \param[out] params,kinds,ranges,count,complete as for nurbs_roots(), of f along the curve.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _TOLERANCE, _COUNT, _OVERFLOW, _OVERLAP, _NOT_REPRESENTABLE;
- *   _DEGREE, _POINT_NOT_FINITE if a coefficient is not finite, _DIRECTION if all but the last are 0, _SIZE if
- *   cap is neither 0 nor enough.
+ *   _DEGREE also if a degree above 1 takes more than 10000 coefficients, _POINT_NOT_FINITE if one is not
+ *   finite, _DIRECTION if all but the last are 0, _SIZE if cap is neither 0 nor enough.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_curve_level(const nurbs *g, int32_t degree, const double *coefficients,
                                          double tolerance, int64_t cap, double *params, int32_t *kinds,
@@ -5946,9 +5946,10 @@ NURBS_API nurbs_status nurbs_surface_sections_with(const nurbs *g, const double 
  * \param[in] tolerance > 0: the largest distance of the curves in space from the contour.
  * \param[out] out the new meet; its branches are in the order of the cosines.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _DIMENSION, _OVERFLOW, _TOLERANCE, _NOT_REPRESENTABLE; _RULE if
- *   kind is none of the constants, _DEGREE if f has a degree above 2 NURBS_MAX_DEGREE (parabolic curves of
- *   degrees above 8), _COUNT if n < 0, or > 0 for a kind without cosines, _DIRECTION if d is needed and is
- *   not finite or is a direction of length 0, _FACTOR if a cosine is not in [-1, 1].
+ *   kind is none of the constants, _DEGREE if f has a degree above 2 NURBS_MAX_DEGREE (for parabolic curves:
+ *   if the surface has one above 10, or above 8 with weights), _COUNT if n < 0, or > 0 for a kind without
+ *   cosines, _DIRECTION if d is needed and is not finite or is a direction of length 0, _FACTOR if a cosine
+ *   is not in [-1, 1].
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_surface_contours(const nurbs *g, int32_t kind, const double *d, int64_t n,
                                               const double *cosines, double tolerance, nurbs_meet **out);
@@ -6570,8 +6571,8 @@ NURBS_API nurbs_status nurbs_meet_joints_second(const nurbs_meet *meet, int64_t 
  *   is the first.
  * \param[in] face a face.
  * \param[out] out the new meet.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for sections of a model, whose faces
- *   are trimmed.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE for meets of models, whose faces are
+ *   trimmed, unless they are empty.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim(const nurbs_meet *meet, const nurbs_face *face, nurbs_meet **out);
 
@@ -6592,8 +6593,8 @@ NURBS_API nurbs_status nurbs_meet_trim_with(const nurbs_meet *meet, const nurbs_
  *   parameters.
  * \param[in] face a face.
  * \param[out] out the new meet.
- * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE if the meet is of one surface or of a
- *   model.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _NOT_REPRESENTABLE; _INCOMPATIBLE if the meet is of one surface or of
+ *   one model, or, unless it is empty, of two models.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_meet_trim_second(const nurbs_meet *meet, const nurbs_face *face,
                                               nurbs_meet **out);
@@ -9033,7 +9034,7 @@ NURBS_API nurbs_status nurbs_region_create_with(int64_t count, const nurbs *cons
  *
  * All faces are of one surface, or of planes that nurbs_region_create() made, over whatever squares. The
  * faces of the result are of the same surface, or of such a plane. Their edges in space are made anew, and
- * their tolerances are as large as those that were given.
+ * their tolerances are at least those of all faces, the one given, and the largest gap of their own loops.
  * \param[in] rule one of the NURBS_REGION_ constants.
  * \param[in] count_a number of faces of a.
  * \param[in] a [count_a] faces of surfaces of dimension 3.
@@ -9079,7 +9080,8 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
  *   it, with positive weights.
  * \param[in] tolerance the largest distance in space that counts as zero, >= 0, as far as parameters move
  *   points evenly over the surface. It counts as no less than the largest gap between the curves of the loops
- *   of the face. The tolerance of the face, which says how far its edges may be off it, is that of the parts.
+ *   of the face. The tolerance of a part, which says how far its edges may be off it, is at least this one,
+ *   that of the face, and the largest gap of its own loops.
  * \param[out] out the new model of the parts, its unit left open.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _DIMENSION, _TOLERANCE, _WEIGHT_SIGN,
  *   _NOT_REPRESENTABLE; _GAP naming a curve that jumps, or if loops have larger gaps than the tolerance of
@@ -9111,19 +9113,20 @@ NURBS_API nurbs_status nurbs_face_split_with(const nurbs_face *face, int64_t cou
  * on the other side are left out; none is left if the whole face is there. What is kept for both sides
  * together makes up the face.
  *
- * Which side a part is on is proven. Beside a curve of intersection its direction decides: what lies to its
- * left in the domain of the face is in front. A part that the surface does not come to is in front if P - Q
- * points as N does, where P is a place in the part and Q is the nearest point of the surface
- * (nurbs_closest_points()); Q has to be certified, and not on the border of the surface, where there is no
- * side. A surface has to divide the face from border to border; one that ends inside the face is refused.
- * Where both only touch, in points or along curves, nothing is divided.
+ * Beside a curve of intersection its direction decides which side a part is on: what lies to its left in the
+ * domain of the face is in front. A part that the surface does not come to is in front if P - Q points as N
+ * does, to within 8 degrees, where P is a place in the part and Q is the nearest point of the surface
+ * (nurbs_closest_points()); Q has to be certified, farther from P than 4 tolerances, and not on the border of
+ * the surface, where there is no side. If none of some places in the part tells a side, the call fails. A
+ * surface has to divide the face from border to border; one that ends inside the face is refused. Where both
+ * only touch, in points or along curves, nothing is divided.
  *
  * Curves that end in a node TOUCH, or in one UNDECIDED no larger than 16 tolerances, are continued by
- * segments in the domain, no farther from the surface than the tolerance: to the pole that is there, else to
- * the middle of the node, or from one curve to the other if there are two. So a face is cut through its poles
- * and those of the surface, and along curves that cross themselves, as where two pipes of one size meet. If
- * it is otherwise undecided how both meet in the face, or if this does not tell where curves continue, the
- * call fails.
+ * segments in the domain, no farther from the surface than the tolerance at nine places evenly along each: to
+ * the pole that is there, else to the middle of the node, or from one curve to the other if there are two. So
+ * a face is cut through its poles and those of the surface, and along curves that cross themselves, as where
+ * two pipes of one size meet. If it is otherwise undecided how both meet in the face, or if this does not
+ * tell where curves continue, the call fails.
  * \param[in] face a face of a surface of dimension 3.
  * \param[in] surface a surface of dimension 3, all of which counts; its own border trims nothing.
  * \param[in] side one of the NURBS_TRIM_ constants.
@@ -9844,13 +9847,15 @@ NURBS_API nurbs_status nurbs_bezier_cell_points(const nurbs *g, int64_t cap, dou
 /** @} */
 
 /** \brief Settings for nurbs_model_write() and similar functions; fill with nurbs_write_options_init() first.
- * Fields are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the
- * least one of its faces, since readers enlarge it where edges need that, and 1e-7 metres if it has none. */
+ * Fields are only ever appended, and struct_size is at most 4096. Without a tolerance each part of a STEP
+ * file gets the least one of its faces that is not 0, since readers enlarge it where edges need that, but no
+ * less than 10^-4 of the largest one, and 1e-7 metres if it has none. IGES has one for the whole file, the
+ * least of all faces, but no less than 10^-4 of those that are above 1 % of the size of their surfaces:
+ * readers find the others. */
 typedef struct nurbs_write_options {
     int64_t struct_size; /**< size of this struct as the caller knows it */
     double unit;         /**< unit of the file in metres; 0: that of the model, millimetres if it has none */
-    double tolerance; /**< distance that counts as none, in units of the file; 0: the least of a part's faces,
-                              but no less than 10^-4 of its largest one, and 1e-7 metres without faces */
+    double tolerance;    /**< distance that counts as none, in units of the file; 0: that of the faces */
 } nurbs_write_options;
 
 /** \brief Fills an options struct with the defaults.

@@ -290,6 +290,56 @@ TEST(CurveTraps, overlaps_with_points_at_rest_across_a_seam) {
     expect_overlap(meets(back, periodic, 1e-9), {0, 1}, {to, from}, 1e-3);
 }
 
+// Strokes through places near one, joined far from it: each crosses each other one, also where eight places evenly between
+// them on the curve are near, too.
+TEST(CurveTraps, loops_are_told_by_more_than_samples) {
+    Vec corners;
+    for (int i = 0; i < 9; ++i) {
+        const double angle = 0.3 * i, x = std::cos(angle), y = std::sin(angle), off = 1e-8 * (i * i % 7);
+        corners.insert(corners.end(), {-x - off * y, -y + off * x, x - off * y, y + off * x});
+    }
+    const Handle star = create(polygon(corners));
+    const Hits exact = own_meets(star.get(), 0), near = own_meets(star.get(), 1e-6);
+    EXPECT_EQ(exact.complete, 1);
+    EXPECT_EQ(near.complete, 1);
+    EXPECT_GE(exact.count(NURBS_HIT_CROSSING), 36);
+    EXPECT_EQ(near.count(NURBS_HIT_CROSSING), exact.count(NURBS_HIT_CROSSING));
+}
+
+// All of a periodic circle beside one that is not periodic and begins elsewhere, in either order, and both ways around.
+TEST(CurveTraps, a_periodic_circle_beside_a_clamped_one) {
+    const auto ring_from = [](int first, bool back) {
+        SplineData data{{2}, {6}, {{}}, 2, {}, {}, NURBS_PERIODIC};
+        for (int i = -2; i <= 6; ++i) {
+            data.knots[0].push_back(i);
+        }
+        const double square[] = {1, 1, -1, 1, -1, -1, 1, -1};
+        for (int i = 0; i < 6; ++i) {
+            const int corner = (back ? 8 - i + first : i + first) % 4;
+            data.points.insert(data.points.end(), {square[2 * corner], square[2 * corner + 1]});
+        }
+        return create(data);
+    };
+    const Handle ring = ring_from(0, false);
+    for (const bool back : {false, true}) {
+        const Handle plain = made([&](nurbs **out) {
+            return nurbs_clamp_ends(ring_from(2, back).get(), 0,
+                                    NURBS_FORM_CLAMPED_START | NURBS_FORM_CLAMPED_END, out);
+        });
+        const Hits hits = meets(ring, plain, 1e-9), swapped = meets(plain, ring, 1e-9);
+        for (const Hits *found : {&hits, &swapped}) {
+            const bool first = found == &hits;
+            const Vec &on_ring = first ? found->ranges_a : found->ranges_b,
+                      &on_plain = first ? found->ranges_b : found->ranges_a;
+            EXPECT_EQ(found->complete, 1);
+            ASSERT_EQ(found->size(), 1U);
+            EXPECT_EQ(found->kinds[0], NURBS_HIT_OVERLAP);
+            EXPECT_NEAR(std::abs(on_ring[1] - on_ring[0]), 4, 1e-6);
+            EXPECT_NEAR(std::abs(on_plain[1] - on_plain[0]), 4, 1e-6);
+        }
+    }
+}
+
 // Tolerances beyond the size of spans, and curves shorter than the tolerance.
 TEST(CurveTraps, large_tolerances) {
     EXPECT_EQ(meets(circle(0, 0, 1), circle(0, 0, 1.5), 0.6).count(NURBS_HIT_OVERLAP), 1);

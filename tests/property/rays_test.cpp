@@ -264,6 +264,29 @@ TEST(Rays, do_not_depend_on_units) {
     }
 }
 
+// A surface that is level over [0, 1] of u, beyond which the weight falls below 0 in a corner: what is there is open, however
+// many hits there are elsewhere. Through a piece that is a single point it is the same.
+TEST(Rays, hits_do_not_hide_pieces_of_uncertain_weights) {
+    const double knots[] = {0, 0, 1, 2, 2, 0, 0, 1, 1},
+                 points[] = {0, 0, 0, 1, 0, 1, 0, 1, 1,      0,      0, 1,
+                             1, 1, 0, 1, 2, 0, 0, 1, -2e-18, -1e-18, 0, -1e-18};
+    const int32_t degrees[] = {1, 1}, none[] = {0, 0};
+    const int64_t counts[] = {3, 2}, two[] = {2, 1};
+    const Handle sheet = made([&](nurbs **out) {
+        return nurbs_create_homogeneous(2, degrees, counts, knots, 9, 3, points, 0, 0, 0, out);
+    });
+    const Hits hits = all(sheet.get(), {0.25, 0.5, 1}, {0, 0, -1});
+    EXPECT_EQ(hits.complete, 0);
+    EXPECT_EQ(std::count(hits.kinds.begin(), hits.kinds.end(), NURBS_RAY_HIT), 1);
+    EXPECT_EQ(std::count(hits.kinds.begin(), hits.kinds.end(), NURBS_RAY_TOUCH), 1);
+    const double places[] = {0, 0, 0, 1, 0, 0, 1e-20, -1e-20}, steps[] = {0, 1, 2, 0, 1};
+    const Handle dots = made([&](nurbs **out) {
+        return nurbs_create_homogeneous(2, none, two, steps, 5, 3, places, 0, 0, 0, out);
+    });
+    EXPECT_EQ(all(dots.get(), {5, 5, 1}, {0, 0, -1}).complete, 0);
+    EXPECT_FALSE(cast(dots.get(), {5, 5, 1}, {0, 0, -1}).certified());
+}
+
 // Two sheets a few units of rounding apart are two hits, on a knot line and beside it.
 TEST(Rays, through_sheets_that_all_but_touch) {
     for (const double gap : {1e-13, 1e-9, 1e-6}) {

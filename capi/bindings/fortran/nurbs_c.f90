@@ -209,13 +209,15 @@ module nurbs_c
     end type nurbs_mesh_options
 
     !> Settings for nurbs_model_write() and similar functions; fill with nurbs_write_options_init() first.
-    !> Fields are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the
-    !> least one of its faces, since readers enlarge it where edges need that, and 1e-7 metres if it has none.
+    !> Fields are only ever appended, and struct_size is at most 4096. Without a tolerance each part of a STEP
+    !> file gets the least one of its faces that is not 0, since readers enlarge it where edges need that, but
+    !> no less than 10^-4 of the largest one, and 1e-7 metres if it has none. IGES has one for the whole file,
+    !> the least of all faces, but no less than 10^-4 of those that are above 1 % of the size of their
+    !> surfaces: readers find the others.
     type, bind(c) :: nurbs_write_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         real(c_double) :: unit  ! unit of the file in metres; 0: that of the model, millimetres if it has none
-        ! distance that counts as none, in units of the file; 0: the least of a part's faces, but no less than
-        ! 10^-4 of its largest one, and 1e-7 metres without faces
+        ! distance that counts as none, in units of the file; 0: that of the faces
         real(c_double) :: tolerance
     end type nurbs_write_options
 

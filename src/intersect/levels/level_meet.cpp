@@ -27,6 +27,7 @@ void Meet::append(Meet other) {
     }
     std::ranges::move(other.nodes, std::back_inserter(nodes));
     complete = complete && other.complete;
+    limited = limited || other.limited;
 }
 
 void Meet::tidy_nodes() {

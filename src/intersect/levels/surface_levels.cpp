@@ -45,9 +45,11 @@ Meet SurfaceLevels::find(int64_t level) {
         }
     }
     LevelPieces found = trace.take();
+    const bool searched_in_part = work_ended();
     drop_what_does_not_count(field_, found);
     const LevelChains chains = chains_of(field_.grid(), borders_, found);
     Meet meet;
+    meet.limited = searched_in_part;
     for (const MeetNode &node : chains.nodes) {
         meet.nodes.push_back(node);
         meet.nodes.back().level = level;

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/watch.h"
 #include "eval/curve_point.h"
+#include "intersect/pairs/near_arcs.h"
 #include "intersect/pairs/near_item.h"
 #include "intersect/pairs/near_search.h"
 #include "intersect/pairs/sides.h"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace nrb::intersect {
@@ -32,7 +34,7 @@ public:
           search_(a, b) {}
     Meeting(const Spline &curve, double tolerance)
         : a_(curve), b_(curve), breaks_a_(curve.axis(0)), breaks_b_(curve.axis(0)), dim_(curve.dim()),
-          tolerance_(tolerance), closes_(closes(curve)), search_(curve) {}
+          tolerance_(tolerance), arcs_(curve), closes_(closes(curve)), search_(curve) {}
 
     PairHits run() {
         const NearCells found = search_.find(tolerance_);
@@ -117,28 +119,21 @@ private:
         }
     }
 
-    // For a curve with itself: parts that follow each other, and places that are near the whole curve between
-    // them, as far as samples show.
+    // For a curve with itself: parts that follow each other, and places that all of the curve between them is
+    // near, for certain.
     [[nodiscard]] bool is_one_place(const NearCell &cell) const {
         return cell.kind == Kind::simple || cell.kind == Kind::fold ||
-               (&a_ == &b_ && is_one_place(cell.at_a, cell.at_b));
+               (arcs_ && is_one_place(cell.at_a, cell.at_b));
     }
     [[nodiscard]] bool is_one_place(double s, double t) const {
         const Interval domain = a_.axis(0).domain();
         const std::vector<double> from = eval::curve_point(a_, in_domain(a_, s), false);
-        const bool closed = closes_ && stays_near(from, domain.lower, s) && stays_near(from, t, domain.upper);
-        return closed || stays_near(from, s, t);
-    }
-    [[nodiscard]] bool stays_near(const std::vector<double> &place, double start, double end) const {
-        constexpr int samples = 8;
-        const double near = 2 * std::max(tolerance_, noise_);
-        for (int i = 0; i <= samples; ++i) {
-            const double at = in_domain(a_, start + (end - start) * i / samples);
-            if (distance(place.data(), eval::curve_point(a_, at, false).data(), dim_) > near) {
-                return false;
-            }
-        }
-        return true;
+        const auto stays_near = [&](double start, double end) {
+            return arcs_->hold({std::min(start, end), std::max(start, end)}, from,
+                               2 * std::max(tolerance_, noise_));
+        };
+        const bool closed = closes_ && stays_near(domain.lower, s) && stays_near(t, domain.upper);
+        return closed || stays_near(s, t);
     }
 
     // Reports the overlaps. Returns which cells they, and what adjoins them, consist of; proven intersections
@@ -284,7 +279,9 @@ private:
     Breaks breaks_a_, breaks_b_;
     int dim_;
     double tolerance_, noise_ = 0;
-    bool closes_ = false; // the curve closes, and is searched for self-intersections
+    // Of a curve that is searched for self-intersections: its arcs, and whether it closes.
+    std::optional<NearArcs> arcs_;
+    bool closes_ = false;
     NearSearch search_;
     PairHits result_;
 };

@@ -212,8 +212,8 @@ private:
     static bool is_longer(double length, double period) noexcept {
         return period > 0 && length > period * (1 + 1e-9);
     }
-    // A closed chain over a whole period of a, in which b makes one turn if it is periodic, is made to begin
-    // at the seam of a. False for other chains.
+    // A closed chain over a whole period of a, in which b makes one turn, is made to begin at the seam of a.
+    // False for other chains.
     bool begin_at_seam(std::vector<Placed> &chain) const {
         const double length = chain.back().a.upper - chain.front().a.lower;
         if (!(period_a_ > 0) || std::abs(length - period_a_) > 1e-9 * period_a_) {
@@ -223,8 +223,8 @@ private:
             std::abs(std::abs(chain.back().to_b - chain.front().from_b) - period_b_) < 1e-9 * period_b_
                 ? (chain.front().from_b <= chain.front().to_b ? period_b_ : -period_b_)
                 : 0;
-        if (period_b_ > 0 && on_b == 0) {
-            return false; // b does not close
+        if (on_b == 0) {
+            return false; // b does not close, and has two ends if it is not periodic
         }
         for (Placed &x : chain) {
             const double turns = std::floor((x.a.lower - a_.axis(0).domain().lower) / period_a_);

@@ -95,14 +95,14 @@ private:
             parts.pop_back();
             count_work(20 * (degree_ + 1));
             const Ranges r = ranges(part);
-            const Interval ts{r.t.lower - part.moved, r.t.upper + part.moved};
+            const Interval ts{r.t.lower - part.moved - distance_, r.t.upper + part.moved + distance_};
             if (!r.certain) {
                 put(part, range_);
             } else if (!meets_range(ts) ||
                        std::hypot(from_zero(r.x), from_zero(r.y)) > distance_ + part.moved) {
                 continue;
             } else if (is_small(part, r)) {
-                put(part, {ts.lower - distance_, ts.upper + distance_});
+                put(part, ts);
             } else {
                 halve(std::move(part), parts);
             }

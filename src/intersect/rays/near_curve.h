@@ -14,9 +14,8 @@ struct CurvePassage {
     [[nodiscard]] bool there() const noexcept { return ts.lower <= ts.upper; }
 };
 
-// Bounds on the t at which the ray may be as near to the curve as the distance; outside of them it is proven
-// to be farther away. Points of the curve whose foot points on the ray are outside of the query's range need
-// not be counted. Precondition: a curve in space.
+// Bounds on the t at which the ray may be as near to the curve as the distance; elsewhere in the query's
+// range it is proven to be farther away. Precondition: a curve in space.
 CurvePassage passage_near(const Spline &curve, const RayQuery &query, double distance);
 
 } // namespace nrb::intersect

@@ -73,10 +73,11 @@ RaySolver::Verdict RaySolver::look(double lower, double upper) {
     count_work(40 * count_);
     const double *v = values(stack_.size() - 1);
     const Ranges r = ranges(v, part.moved);
+    const int most = shape_.axes > 0 ? most_depth : 0; // a piece that is a single point has no halves
     const bool certain =
         grid_.positive() ? r.least_weight > 0 : r.least_weight > 64 * grid_.rounding().weight;
     if (!certain) {
-        if (part.depth < most_depth / 4) {
+        if (part.depth < most / 4) {
             return Verdict::open;
         }
         set_touch({1, 1, lower, upper, 0, false});
@@ -94,7 +95,7 @@ RaySolver::Verdict RaySolver::look(double lower, double upper) {
             return verdict;
         }
     }
-    if (r.size <= 4 * part.moved || part.depth >= most_depth) {
+    if (r.size <= 4 * part.moved || part.depth >= most) {
         set_touch(r);
         return Verdict::meet;
     }
@@ -274,10 +275,6 @@ int RaySolver::longest_axis(const double *v) const noexcept {
 
 // The lower half goes on top of the stack, so that it is looked at first.
 void RaySolver::halve() {
-    if (shape_.axes == 0) {
-        pop(); // the piece is a single point
-        return;
-    }
     if ((stack_.size() + 1) * size_ > memory_.size()) {
         memory_.resize(2 * memory_.size());
     }

@@ -164,19 +164,28 @@ private:
         if ((x.inside && y.inside) || y.ts.lower > x.ts.upper + near) {
             return false;
         }
-        if (!x.proven || !y.proven) {
+        if (!x.proven && !y.proven) {
             return true;
         }
-        return (x.sine > 0) == (y.sine > 0) && are_neighbours(params_of(x), params_of(y));
+        const bool one_side = !x.proven || !y.proven || (x.sine > 0) == (y.sine > 0);
+        return one_side && are_neighbours(places_of(x), places_of(y));
     }
-    // Whether parameters agree, or are at opposite ends of an axis, where the surface may close.
-    [[nodiscard]] bool are_neighbours(const std::array<double, 2> &x, const std::array<double, 2> &y) const {
+    // A hit is at its parameters; a touch may be anywhere in its box, so that it is no hit beside it unless
+    // all of the box is there.
+    [[nodiscard]] std::array<Interval, 2> places_of(const RayMeet &meet) const {
+        const auto [u, v] = params_of(meet);
+        return meet.proven ? std::array{Interval{u, u}, Interval{v, v}} : box_of(meet);
+    }
+    // Whether boxes are in one place, or at opposite ends of an axis, where the surface may close.
+    [[nodiscard]] bool are_neighbours(const std::array<Interval, 2> &x,
+                                      const std::array<Interval, 2> &y) const {
         const double share = std::min(1e-6 + 256 * solver_.room(), 0.25);
         for (size_t k = 0; k < 2; ++k) {
             const auto axis = static_cast<int>(k);
             const double length = grid_.break_at(axis, grid_.count(axis)) - grid_.break_at(axis, 0),
-                         apart = std::abs(x[k] - y[k]);
-            if (apart > share * length && apart < (1 - share) * length) {
+                         both = std::max(x[k].upper, y[k].upper) - std::min(x[k].lower, y[k].lower),
+                         between = std::max(x[k].lower, y[k].lower) - std::min(x[k].upper, y[k].upper);
+            if (both > share * length && between < (1 - share) * length) {
                 return false;
             }
         }

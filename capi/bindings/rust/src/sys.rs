@@ -390,8 +390,11 @@ pub struct nurbs_mesh_options {
 }
 
 /// Settings for nurbs_model_write() and similar functions; fill with nurbs_write_options_init() first. Fields
-/// are only ever appended, and struct_size is at most 4096. Without a tolerance each part gets the least one
-/// of its faces, since readers enlarge it where edges need that, and 1e-7 metres if it has none.
+/// are only ever appended, and struct_size is at most 4096. Without a tolerance each part of a STEP file gets
+/// the least one of its faces that is not 0, since readers enlarge it where edges need that, but no less than
+/// 10^-4 of the largest one, and 1e-7 metres if it has none. IGES has one for the whole file, the least of
+/// all faces, but no less than 10^-4 of those that are above 1 % of the size of their surfaces: readers find
+/// the others.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_write_options {
@@ -399,8 +402,7 @@ pub struct nurbs_write_options {
     pub struct_size: i64,
     /// unit of the file in metres; 0: that of the model, millimetres if it has none
     pub unit: f64,
-    /// distance that counts as none, in units of the file; 0: the least of a part's faces, but no less than
-    /// 10^-4 of its largest one, and 1e-7 metres without faces
+    /// distance that counts as none, in units of the file; 0: that of the faces
     pub tolerance: f64,
 }
 
