@@ -8,17 +8,17 @@ module nurbs_c
     implicit none
     public
 
-    !> What a caller wants of a long call; fill with nurbs_call_options_init() first. Fields are only ever
-    !> appended, and struct_size is at most 4096.
+    !> Limit of work and progress callback of a long call; fill with nurbs_call_options_init() first. Fields
+    !> are only ever appended, and struct_size is at most 4096.
     type, bind(c) :: nurbs_call_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
-        integer(c_int64_t) :: work  ! most multiply-adds; 0: no limit of the caller's
+        integer(c_int64_t) :: work  ! largest number of multiply-adds; 0: no limit of the caller
         type(c_funptr) :: progress  ! or NULL: called now and then
         type(c_ptr) :: user  ! or NULL: passed to progress
     end type nurbs_call_options
 
-    !> Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are only
-    !> ever appended. \since 1.1
+    !> Data: values at parameters, with weights. nurbs_data_init() sets all fields to 0 or NULL. Fields are
+    !> only ever appended. \since 1.1
     type, bind(c) :: nurbs_data
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         integer(c_int64_t) :: n  ! number of data, >= 0
@@ -30,7 +30,7 @@ module nurbs_c
         type(c_ptr) :: values  ! [n][dim] the values
         integer(c_int64_t) :: value_stride  ! distance between values, 0 = packed
         integer(c_int64_t) :: value_component_stride  ! distance between components, 0 = 1
-        type(c_ptr) :: weights  ! [n] or NULL for 1: weights >= 0; those of 0 leave a value out
+        type(c_ptr) :: weights  ! [n] or NULL for 1: weights >= 0; 0 leaves the value out
         integer(c_int64_t) :: weight_stride  ! distance between weights, 0 = 1
         ! evaluation flags for params, without NURBS_EXTRAPOLATE; with NURBS_NAN a parameter that is outside
         ! or not finite leaves its value out
@@ -38,33 +38,36 @@ module nurbs_c
         integer(c_int32_t) :: reserved  ! 0
     end type nurbs_data
 
-    !> What a fit is to be besides close to the data. nurbs_fit_options_init() fills in the defaults, which
-    !> NULL stands for as well. Fields are only ever appended. \since 1.1
+    !> Settings of a fit: smoothing, conditions, robustness and shape. nurbs_fit_options_init() fills in the
+    !> defaults, which NULL stands for as well. Fields are only ever appended. \since 1.1
     type, bind(c) :: nurbs_fit_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
-        integer(c_int32_t) :: smoothing  ! a NURBS_SMOOTHING_ constant; NURBS_SMOOTHING_NONE
-        integer(c_int32_t) :: penalty_order  ! m, the derivative that is penalised, >= 1; 2
-        real(c_double) :: lambda  ! the factor, for NURBS_SMOOTHING_LAMBDA, >= 0; 0
-        ! for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0; 0
+        integer(c_int32_t) :: smoothing  ! a NURBS_SMOOTHING_ constant; default NURBS_SMOOTHING_NONE
+        ! m, the order of the derivative that is penalised, >= 1; default 2
+        integer(c_int32_t) :: penalty_order
+        real(c_double) :: lambda  ! the factor of the penalty, for NURBS_SMOOTHING_LAMBDA, >= 0; default 0
+        ! for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, >= 0; default 0
         real(c_double) :: target
-        ! 1: of several fits take that of the smallest penalty; 0: refuse them
+        ! 1: of several solutions take that of the smallest penalty; 0: refuse them
         integer(c_int32_t) :: regularize
         integer(c_int32_t) :: reserved  ! 0
-        integer(c_int64_t) :: conditions  ! number of equations that have to hold, >= 0; 0
-        type(c_ptr) :: condition_params  ! [conditions][axes] or NULL: where, packed
+        integer(c_int64_t) :: conditions  ! number of equations that the fit has to fulfil, >= 0; default 0
+        type(c_ptr) :: condition_params  ! [conditions][axes] or NULL: parameters, packed
         type(c_ptr) :: condition_orders  ! [conditions][axes] or NULL for 0: orders of derivatives
         type(c_ptr) :: condition_targets  ! [conditions][dim] or NULL: points and derivatives, packed
-        ! a NURBS_ROBUST_ constant, for fits of points over given knots; NURBS_ROBUST_NONE
+        ! a NURBS_ROBUST_ constant; others than NURBS_ROBUST_NONE, the default, are for fits of points over
+        ! given knots
         integer(c_int32_t) :: robust
         integer(c_int32_t) :: reserved2  ! 0
-        real(c_double) :: robust_width  ! where outliers begin, in standard deviations, >= 0; 0: the usual one
+        ! where outliers begin, in standard deviations, >= 0; 0: the usual width
+        real(c_double) :: robust_width
         type(c_ptr) :: shapes  ! [axes][dim] or NULL: sums of NURBS_TREND_ constants, or 0
         type(c_ptr) :: lower  ! [dim] or NULL: lower bounds of coordinates; -INFINITY for none
         type(c_ptr) :: upper  ! [dim] or NULL: upper bounds of coordinates; INFINITY for none
     end type nurbs_fit_options
 
-    !> What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields are
-    !> only ever appended. \since 1.1
+    !> What is known of a fit. Set struct_size to sizeof(nurbs_fit_report); all other fields are results.
+    !> Fields are only ever appended. \since 1.1
     type, bind(c) :: nurbs_fit_report
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         integer(c_int64_t) :: data_count  ! receives the number of data that count
@@ -72,32 +75,35 @@ module nurbs_c
         real(c_double) :: squares  ! receives sum_i w_i |y_i - s(t_i)|^2
         real(c_double) :: rms  ! receives the square root of squares / weight
         real(c_double) :: lambda  ! receives the factor of the penalty that was taken
-        real(c_double) :: freedom  ! receives the trace of the influence matrix: the parameters that count
-        ! receives the standard deviation of a coordinate of weight 1 by the residuals; of robust fits by
+        ! receives the trace of the influence matrix: effective number of parameters
+        real(c_double) :: freedom
+        ! receives the standard deviation of a coordinate of weight 1, from residuals; of robust fits from
         ! their median
         real(c_double) :: sigma
         real(c_double) :: residual  ! receives |G x + lambda P x - r| / |r| of the normal equations
         real(c_double) :: largest  ! receives the largest |y_i - s(t_i)|; NaN from nurbs_fit()
-        integer(c_int64_t) :: largest_index  ! receives where that is; -1 from nurbs_fit()
+        integer(c_int64_t) :: largest_index  ! receives the index of that datum; -1 from nurbs_fit()
         integer(c_int32_t) :: bits  ! receives a sum of NURBS_FIT_ bits
         integer(c_int32_t) :: rounds  ! receives the number of fits that a robust fit took, else 1
         integer(c_int64_t) :: outliers  ! receives the number of data with x > 1 of a robust fit, else 0
     end type nurbs_fit_report
 
-    !> How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands for
+    !> Settings of nurbs_fit_cloud(). nurbs_cloud_options_init() fills in the defaults, which NULL stands for
     !> as well. Fields are only ever appended. \since 1.1
     type, bind(c) :: nurbs_cloud_options
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
-        ! m, the derivative that is penalised, >= 1, at most the highest degree; 2
+        ! m, the order of the derivative that is penalised, >= 1; default 2
         integer(c_int32_t) :: penalty_order
-        integer(c_int32_t) :: rounds  ! most searches for the nearest points of all points, >= 1; 100
-        real(c_double) :: lambda  ! the factor of the penalty; below 0: found; -1
-        real(c_double) :: first_lambda  ! the factor to begin with, which falls to lambda; below 0: found; -1
-        real(c_double) :: tolerance  ! the smallest part of the sum whose loss is worth a step, >= 0; 1e-3
+        integer(c_int32_t) :: rounds  ! most searches for the nearest points of all points, >= 1; default 100
+        real(c_double) :: lambda  ! the factor of the penalty; below 0: found; default -1
+        ! the factor at the start, which falls to lambda; below 0: found; default -1
+        real(c_double) :: first_lambda
+        ! the smallest relative decrease of the sum worth a step, >= 0; default 1e-3
+        real(c_double) :: tolerance
     end type nurbs_cloud_options
 
-    !> What nurbs_fit_cloud() tells. Set struct_size to sizeof(nurbs_cloud_report); all other fields are
-    !> answers. Fields are only ever appended. \since 1.1
+    !> What is known of a fit by nurbs_fit_cloud(). Set struct_size to sizeof(nurbs_cloud_report); all other
+    !> fields are results. Fields are only ever appended. \since 1.1
     type, bind(c) :: nurbs_cloud_report
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         ! receives the number of points that count: those of a weight above 0
@@ -106,22 +112,20 @@ module nurbs_c
         real(c_double) :: squares  ! receives sum_i w_i d_i^2, d_i the distance of point i from the result
         real(c_double) :: rms  ! receives the square root of squares / weight
         real(c_double) :: largest  ! receives the largest d_i
-        integer(c_int64_t) :: largest_index  ! receives where that is
+        integer(c_int64_t) :: largest_index  ! receives the index of that point
         real(c_double) :: lambda  ! receives the last factor of the penalty
-        ! receives a bound of how far a d_i is from the true distance, if it is certified
-        real(c_double) :: noise
+        real(c_double) :: noise  ! receives a bound of the error of a d_i, if its nearest point is certified
         ! receives the number of points whose nearest point is on an end or an edge
         integer(c_int64_t) :: boundary
-        ! receives the number of points whose nearest point is not proven to be that
-        integer(c_int64_t) :: uncertified
+        integer(c_int64_t) :: uncertified  ! receives the number of points whose nearest point is not proven
         integer(c_int32_t) :: rounds  ! receives the number of searches for the nearest points of all points
         integer(c_int32_t) :: bits  ! receives a sum of NURBS_CLOUD_ bits
     end type nurbs_cloud_report
 
-    !> What the batches of this chapter are asked as long calls. Set struct_size to
+    !> Inputs of the batch functions for closest points in their form as long calls. Set struct_size to
     !> sizeof(nurbs_closest_query), and what is not wanted to 0: fields that are 0 or NULL have their
-    !> defaults. Those that a function does not use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are
-    !> only ever appended, and struct_size is at most 4096.
+    !> defaults. Fields that a function does not use must be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only
+    !> ever appended, and struct_size is at most 4096.
     type, bind(c) :: nurbs_closest_query
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         integer(c_int64_t) :: n  ! number of points
@@ -133,14 +137,15 @@ module nurbs_c
         integer(c_int64_t) :: guess_component_stride  ! distance between components, 0 = 1
         type(c_ptr) :: range  ! [axes][2] or NULL for all of it: the part of the domain
         real(c_double) :: tolerance  ! >= 0
-        integer(c_int64_t) :: budget  ! most pieces looked at for each point, 0 as for nurbs_closest_points()
+        integer(c_int64_t) :: budget  ! most pieces examined for each point, 0 as for nurbs_closest_points()
         integer(c_int32_t) :: flags  ! NURBS_NAN_POINTS or 0
         integer(c_int32_t) :: reserved  ! 0
     end type nurbs_closest_query
 
-    !> Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. Set
-    !> struct_size to sizeof(nurbs_closest_answer). What a function does not answer has to be NULL
-    !> (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most 4096.
+    !> Outputs of the batch functions for closest points in their form as long calls: arrays of the caller,
+    !> NULL for what is not wanted. Set struct_size to sizeof(nurbs_closest_answer). Arrays that a function
+    !> does not fill must be NULL (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at
+    !> most 4096.
     type, bind(c) :: nurbs_closest_answer
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         type(c_ptr) :: params  ! [n][axes] or NULL: the parameters
@@ -186,11 +191,11 @@ module nurbs_c
         integer(c_int64_t) :: struct_size  ! size of this struct as the caller knows it
         real(c_double) :: unit  ! wanted unit in metres (0.001: millimetres); 0 keeps the file's own
         integer(c_int64_t) :: max_bytes  ! largest file accepted; 0 means the default, 2^30
-        ! distances in the unit of the result that count as none, in place of the uncertainty or resolution
-        ! that a file states: the tolerance of faces, and how near to what the file states is what has to be
-        ! made; 0 takes what the file states. \since 1.1
+        ! the distance, in the unit of the result, that counts as zero: the tolerance of faces, and how near
+        ! to what the file states is what has to be made; 0 for the uncertainty or resolution that the file
+        ! states. \since 1.1
         real(c_double) :: tolerance
-        ! sum of NURBS_READ_ constants, 0 for all of them: others are left out without a note. \since 1.1
+        ! sum of NURBS_READ_ constants, 0 for all of them; others are left out without a note. \since 1.1
         integer(c_int32_t) :: kinds
         integer(c_int32_t) :: reserved  ! 0
     end type nurbs_read_options
@@ -1137,7 +1142,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_product
-        !> nurbs_product() as a call that can be watched and ended.
+        !> nurbs_product() with progress reports, cancellation and a limit of work.
         function nurbs_product_with(a, b, flags, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: a, b
@@ -1154,7 +1159,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_compose
-        !> nurbs_compose() as a call that can be watched and ended.
+        !> nurbs_compose() with progress reports, cancellation and a limit of work.
         function nurbs_compose_with(g, f, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g, f
@@ -1225,9 +1230,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_basis_matrix
         ! --- Interpolation
-        !> Parameters of points from the distances between them: along each axis from 0 to 1, steps in
-        !> proportion to lengths d_i that the rule makes of the chords c_i = |P_(i+1) - P_i|: 1, c_i,
-        !> sqrt(c_i), c_i^exponent, or for NURBS_PARAMS_FOLEY_NIELSON.
+        !> Parameters of points from the distances between them.
         function nurbs_parametrize(axes, counts, dim, points, point_stride, point_component_stride, rule, &
                 exponent, flags, params) bind(c) result(r)
             import
@@ -1239,8 +1242,7 @@ module nurbs_c
             real(c_double), intent(inout) :: params(*)
             integer(c_int32_t) :: r
         end function nurbs_parametrize
-        !> Parameters that do not depend on the points: where the basis functions over the knots of
-        !> nurbs_knots_open_uniform() from 0 to 1 are largest.
+        !> Parameters that do not depend on the points: where the basis functions are largest.
         function nurbs_params_universal(degree, count, params) bind(c) result(r)
             import
             integer(c_int32_t), value :: degree
@@ -1262,7 +1264,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_interpolate
-        !> The spline over given knots through points on a grid of parameters: as many control points as data.
+        !> The spline over given knots through points on a grid of parameters.
         function nurbs_interpolate_over_knots(axes, degrees, counts, params, knots, knot_count, dim, points, &
                 point_stride, point_component_stride, flags, out) bind(c) result(r)
             import
@@ -1274,8 +1276,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_interpolate_over_knots
-        !> The spline through points and given derivatives at the ends of axes: a grid in which layers of
-        !> derivatives lie beside the layers of points at the first and last parameters of an axis.
+        !> The spline through points on a grid with given derivatives at the ends of axes.
         function nurbs_interpolate_derivatives(axes, degrees, counts, params, orders, dim, values, &
                 value_stride, value_component_stride, ends, flags, out) bind(c) result(r)
             import
@@ -1288,9 +1289,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_interpolate_derivatives
-        !> The curve of given points and derivatives: derivative orders[i] at params[i] is target i, whichever
-        !> orders in whichever places, as long as they determine a curve (Hermite's problem if each parameter
-        !> has all orders up to its highest one, else Birkhoff's).
+        !> The curve with given points and derivatives, of any orders at any parameters.
         function nurbs_curve_interpolate(degree, n, params, orders, dim, targets, target_stride, &
                 target_component_stride, knots, knot_count, flags, out) bind(c) result(r)
             import
@@ -1302,9 +1301,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_curve_interpolate
-        !> The lengths of tangents of which nurbs_curve_interpolate() is told the directions: factors that
-        !> make targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by
-        !> 1, is the same, bit for bit.
+        !> The lengths of the tangents of which nurbs_curve_interpolate() is given only the directions.
         function nurbs_tangent_lengths(degree, n, params, orders, dim, targets, target_stride, &
                 target_component_stride, knots, knot_count, flags, lengths) bind(c) result(r)
             import
@@ -1316,8 +1313,7 @@ module nurbs_c
             real(c_double), intent(inout) :: lengths(*)
             integer(c_int32_t) :: r
         end function nurbs_tangent_lengths
-        !> Derivatives at the points of a curve, each from a few points near it, so that
-        !> nurbs_create_hermite() makes a C^1 cubic that changes only near a point that moves.
+        !> Derivatives at the points of a curve, each from a few points near it.
         function nurbs_tangents(rule, n, params, dim, points, point_stride, point_component_stride, flags, &
                 tangents, tangent_stride, tangent_component_stride) bind(c) result(r)
             import
@@ -1336,7 +1332,7 @@ module nurbs_c
             integer(c_int64_t), value :: struct_size
             integer(c_int32_t) :: r
         end function nurbs_data_init
-        !> Statistics of no data, which say what statistics are to be about.
+        !> Statistics of no data, for given degrees, breaks, dimension and scales.
         function nurbs_statistics_create(axes, degrees, break_counts, breaks, break_total, dim, value_scale, &
                 weight_scale, out) bind(c) result(r)
             import
@@ -1349,8 +1345,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_statistics_create
-        !> Statistics with more data: those of the handle and those of the data, added as
-        !> nurbs_statistics_merge() does.
+        !> Statistics with more data: the sum of given statistics and those of the data.
         function nurbs_statistics_add(statistics, data, out) bind(c) result(r)
             import
             type(c_ptr), value :: statistics
@@ -1358,7 +1353,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_statistics_add
-        !> nurbs_statistics_add() as a call that can be watched and ended.
+        !> nurbs_statistics_add() with progress reports, cancellation and a limit of work.
         function nurbs_statistics_add_with(statistics, data, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: statistics
@@ -1367,7 +1362,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_statistics_add_with
-        !> The sum of statistics, some of them subtracted.
+        !> The sum of statistics, some of which may be subtracted.
         function nurbs_statistics_merge(count, parts, signs, out) bind(c) result(r)
             import
             integer(c_int64_t), value :: count
@@ -1397,8 +1392,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: weight
             integer(c_int32_t) :: r
         end function nurbs_statistics_size
-        !> Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever
-        !> their order.
+        !> Statistics as bytes, to be kept or sent.
         function nurbs_statistics_to_bytes(statistics, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: statistics, bytes
@@ -1436,7 +1430,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit
-        !> nurbs_fit() as a call that can be watched and ended.
+        !> nurbs_fit() with progress reports, cancellation and a limit of work.
         function nurbs_fit_with(statistics, degrees, counts, knots, knot_count, flags, options, report, &
                 call, out) bind(c) result(r)
             import
@@ -1452,9 +1446,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_with
-        !> The spline over given knots that is closest to data: nurbs_fit() of their statistics, with the
-        !> knots as breaks and the largest value and weight as scales, in memory that does not depend on the
-        !> number of data.
+        !> The spline over given knots that is closest to data.
         function nurbs_fit_points(data, degrees, counts, knots, knot_count, flags, options, report, out) &
                 bind(c) result(r)
             import
@@ -1469,7 +1461,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_points
-        !> nurbs_fit_points() as a call that can be watched and ended.
+        !> nurbs_fit_points() with progress reports, cancellation and a limit of work.
         function nurbs_fit_points_with(data, degrees, counts, knots, knot_count, flags, options, report, &
                 call, out) bind(c) result(r)
             import
@@ -1485,9 +1477,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_points_with
-        !> Pointwise standard errors of a fit: sigma sqrt(b(t) (G + lambda P)^-1 b(t)) for the functions b,
-        !> the matrix G of the data and P of the penalty: what each coordinate of the fit may be off, if those
-        !> of data of weight w have the standard deviation sigma / sqrt(w).
+        !> Pointwise standard errors of a fit.
         function nurbs_fit_errors(statistics, g, penalty_order, lambda, sigma, n, params, param_stride, &
                 param_component_stride, flags, errors) bind(c) result(r)
             import
@@ -1499,7 +1489,7 @@ module nurbs_c
             real(c_double), intent(inout) :: errors(*)
             integer(c_int32_t) :: r
         end function nurbs_fit_errors
-        !> nurbs_fit_errors() as a call that can be watched and ended.
+        !> nurbs_fit_errors() with progress reports, cancellation and a limit of work.
         function nurbs_fit_errors_with(statistics, g, penalty_order, lambda, sigma, n, params, param_stride, &
                 param_component_stride, flags, errors, call) bind(c) result(r)
             import
@@ -1512,10 +1502,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_fit_errors_with
-        !> What each of some factors of the penalty leads to, as it is compared by NURBS_SMOOTHING_GCV and
-        !> _REML: with n data, N control points and M of them that no penalty determines, R = sum_i w_i |y_i -
-        !> s(t_i)|^2 and the trace t of the influence matrix, GCV is n R / (n - t)^2, and REML (n - M) log(R +
-        !> lambda P) + log det(G + lambda P) - (N - M) log lambda.
+        !> What NURBS_SMOOTHING_GCV and NURBS_SMOOTHING_REML compare, for each of some factors of the penalty.
         function nurbs_fit_criteria(statistics, g, penalty_order, n, lambdas, values) bind(c) result(r)
             import
             type(c_ptr), value :: statistics, g
@@ -1525,7 +1512,7 @@ module nurbs_c
             real(c_double), intent(inout) :: values(*)
             integer(c_int32_t) :: r
         end function nurbs_fit_criteria
-        !> nurbs_fit_criteria() as a call that can be watched and ended.
+        !> nurbs_fit_criteria() with progress reports, cancellation and a limit of work.
         function nurbs_fit_criteria_with(statistics, g, penalty_order, n, lambdas, values, call) bind(c) &
                 result(r)
             import
@@ -1537,7 +1524,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_fit_criteria_with
-        !> A spline with few control points that no datum is farther from than a tolerance.
+        !> A spline with few control points from which no datum is farther than a tolerance.
         function nurbs_fit_tolerance(data, degrees, domain, tolerance, max_count, flags, options, report, &
                 out) bind(c) result(r)
             import
@@ -1552,7 +1539,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_tolerance
-        !> nurbs_fit_tolerance() as a call that can be watched and ended.
+        !> nurbs_fit_tolerance() with progress reports, cancellation and a limit of work.
         function nurbs_fit_tolerance_with(data, degrees, domain, tolerance, max_count, flags, options, &
                 report, call, out) bind(c) result(r)
             import
@@ -1568,9 +1555,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_tolerance_with
-        !> A polynomial spline of given degrees with few control points that is proven to be within a
-        !> tolerance of another spline at all parameters: rational by polynomial, high degree by low, many
-        !> knots by few.
+        !> A polynomial spline with few control points, proven to be within a tolerance of another spline.
         function nurbs_approximate(g, degrees, tolerance, max_count, bound, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1581,7 +1566,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_approximate
-        !> nurbs_approximate() as a call that can be watched and ended.
+        !> nurbs_approximate() with progress reports, cancellation and a limit of work.
         function nurbs_approximate_with(g, degrees, tolerance, max_count, bound, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1593,9 +1578,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_approximate_with
-        !> A spline from which nurbs_fit_cloud() can begin, found from points without parameters: linear along
-        !> each axis in one of the principal directions of the points, from their mean as far as they reach,
-        !> axis 0 in the first one.
+        !> A spline from which nurbs_fit_cloud() can begin, found from points without parameters.
         function nurbs_cloud_start(axes, degrees, counts, knots, knot_count, n, dim, points, point_stride, &
                 point_component_stride, flags, out) bind(c) result(r)
             import
@@ -1614,8 +1597,7 @@ module nurbs_c
             integer(c_int64_t), value :: struct_size
             integer(c_int32_t) :: r
         end function nurbs_cloud_options_init
-        !> The spline, over the knots of a start, that is closest to points without parameters: a minimum,
-        !> which is reached from the start, of.
+        !> The spline, over the knots of a start, that is closest to points without parameters.
         function nurbs_fit_cloud(g, n, points, point_stride, point_component_stride, weights, weight_stride, &
                 options, report, out) bind(c) result(r)
             import
@@ -1628,7 +1610,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fit_cloud
-        !> nurbs_fit_cloud() as a call that can be watched and ended.
+        !> nurbs_fit_cloud() with progress reports, cancellation and a limit of work.
         function nurbs_fit_cloud_with(g, n, points, point_stride, point_component_stride, weights, &
                 weight_stride, options, report, call, out) bind(c) result(r)
             import
@@ -1703,7 +1685,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_reduce_knots
-        !> nurbs_reduce_knots() as a call that can be watched and ended.
+        !> nurbs_reduce_knots() with progress reports, cancellation and a limit of work.
         function nurbs_reduce_knots_with(g, axis, tolerance, bound, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1723,7 +1705,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_reduce_degree
-        !> nurbs_reduce_degree() as a call that can be watched and ended.
+        !> nurbs_reduce_degree() with progress reports, cancellation and a limit of work.
         function nurbs_reduce_degree_with(g, axis, times, bound, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -1744,7 +1726,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_simplify
-        !> nurbs_simplify() as a call that can be watched and ended.
+        !> nurbs_simplify() with progress reports, cancellation and a limit of work.
         function nurbs_simplify_with(g, tolerance, bound, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2243,10 +2225,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_volume_coons
         ! --- Recognition
-        !> Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus:
-        !> of a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the
-        !> first of point, line (both since 1.1), plane, sphere, cylinder, cone and torus, from which no point
-        !> of g is farther than the tolerance.
+        !> Whether a curve is a line or a conic, or a surface a plane, sphere, cylinder, cone or torus.
         function nurbs_recognize(g, tolerance, shape, placement, sizes, deviation) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2255,7 +2234,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: placement(*), sizes(*), deviation
             integer(c_int32_t) :: r
         end function nurbs_recognize
-        !> nurbs_recognize() as a call that can be watched and ended.
+        !> nurbs_recognize() with progress reports, cancellation and a limit of work.
         function nurbs_recognize_with(g, tolerance, shape, placement, sizes, deviation, call) bind(c) &
                 result(r)
             import
@@ -2267,8 +2246,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_recognize_with
         ! --- Distances and closest points
-        !> The points of a spline that are nearest to given points: parameters, points and distances, each
-        !> with its status.
+        !> The points of a spline that are nearest to given points.
         function nurbs_closest_points(g, n, points, point_stride, point_component_stride, range, tolerance, &
                 budget, params, param_stride, param_component_stride, feet, foot_stride, &
                 foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
@@ -2284,7 +2262,7 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_closest_points
-        !> nurbs_closest_points() as a call that can be watched and ended.
+        !> nurbs_closest_points() with progress reports, cancellation and a limit of work.
         function nurbs_closest_points_with(g, query, answer, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2293,7 +2271,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_closest_points_with
-        !> The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
+        !> The points of a spline that are farthest from given points.
         function nurbs_farthest_points(g, n, points, point_stride, point_component_stride, range, tolerance, &
                 budget, params, param_stride, param_component_stride, feet, foot_stride, &
                 foot_component_stride, distances, distance_stride, status, flags) bind(c) result(r)
@@ -2309,7 +2287,7 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_farthest_points
-        !> nurbs_farthest_points() as a call that can be watched and ended.
+        !> nurbs_farthest_points() with progress reports, cancellation and a limit of work.
         function nurbs_farthest_points_with(g, query, answer, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2318,8 +2296,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_farthest_points_with
-        !> Local minima of the distance to given points, each the one that a descent from a guess comes to:
-        !> Newton's method with a trust region, box-constrained to the domain, across knots.
+        !> Local minima of the distance from given points, each reached by a descent from a guess.
         function nurbs_closest_local(g, n, points, point_stride, point_component_stride, guesses, &
                 guess_stride, guess_component_stride, params, param_stride, param_component_stride, feet, &
                 foot_stride, foot_component_stride, distances, distance_stride, status, flags) bind(c) &
@@ -2335,7 +2312,7 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_closest_local
-        !> nurbs_closest_local() as a call that can be watched and ended.
+        !> nurbs_closest_local() with progress reports, cancellation and a limit of work.
         function nurbs_closest_local_with(g, query, answer, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2344,8 +2321,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_closest_local_with
-        !> All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance
-        !> and that are local minima of it.
+        !> All local minima of the distance from a point that are within a tolerance of the smallest.
         function nurbs_closest_all(g, point, range, tolerance, budget, cap, params, distances, count, &
                 status) bind(c) result(r)
             import
@@ -2359,7 +2335,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_closest_all
-        !> nurbs_closest_all() as a call that can be watched and ended.
+        !> nurbs_closest_all() with progress reports, cancellation and a limit of work.
         function nurbs_closest_all_with(g, point, range, tolerance, budget, cap, params, distances, count, &
                 status, call) bind(c) result(r)
             import
@@ -2374,8 +2350,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_closest_all_with
-        !> All critical points of the distance from a point: where x - C is perpendicular to the tangents of
-        !> g, and at ends and kinks of a curve, where the distance has a minimum or maximum.
+        !> All critical points of the distance from a point.
         function nurbs_critical_points(g, point, range, tolerance, budget, cap, params, distances, kinds, &
                 count, status) bind(c) result(r)
             import
@@ -2389,7 +2364,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_critical_points
-        !> nurbs_critical_points() as a call that can be watched and ended.
+        !> nurbs_critical_points() with progress reports, cancellation and a limit of work.
         function nurbs_critical_points_with(g, point, range, tolerance, budget, cap, params, distances, &
                 kinds, count, status, call) bind(c) result(r)
             import
@@ -2404,8 +2379,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_critical_points_with
-        !> Signed distances of points in the plane from a curve: positive to the left of its direction, so
-        !> inside a closed curve that runs counterclockwise without crossing itself.
+        !> Signed distances of points in the plane from a curve: positive to the left of its direction.
         function nurbs_curve_signed_distances(g, n, points, point_stride, point_component_stride, tolerance, &
                 budget, distances, distance_stride, params, param_stride, status, flags) bind(c) result(r)
             import
@@ -2420,7 +2394,7 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_signed_distances
-        !> nurbs_curve_signed_distances() as a call that can be watched and ended.
+        !> nurbs_curve_signed_distances() with progress reports, cancellation and a limit of work.
         function nurbs_curve_signed_distances_with(g, query, answer, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2429,9 +2403,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_signed_distances_with
-        !> The smallest distance between two splines, of any number of axes each, enclosed: at_least <=
-        !> distance of the nearest points <= at_most, which is the distance of the two points returned; they
-        !> differ by at most the tolerance and rounding unless the budget ends.
+        !> Proven bounds of the smallest distance between two splines, of any number of axes each.
         function nurbs_distance(a, b, tolerance, budget, at_least, at_most, params_a, params_b, status) &
                 bind(c) result(r)
             import
@@ -2442,7 +2414,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_distance
-        !> nurbs_distance() as a call that can be watched and ended.
+        !> nurbs_distance() with progress reports, cancellation and a limit of work.
         function nurbs_distance_with(a, b, tolerance, budget, at_least, at_most, params_a, params_b, status, &
                 call) bind(c) result(r)
             import
@@ -2454,9 +2426,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_distance_with
-        !> The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the
-        !> point of a that is farthest from b is from it, and the other way round; the larger of the two is
-        !> the symmetric distance.
+        !> Proven bounds of the Hausdorff distances of two splines as sets of points.
         function nurbs_hausdorff_distance(a, b, tolerance, budget, at_least, at_most, params_a, params_b, &
                 status) bind(c) result(r)
             import
@@ -2467,7 +2437,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_hausdorff_distance
-        !> nurbs_hausdorff_distance() as a call that can be watched and ended.
+        !> nurbs_hausdorff_distance() with progress reports, cancellation and a limit of work.
         function nurbs_hausdorff_distance_with(a, b, tolerance, budget, at_least, at_most, params_a, &
                 params_b, status, call) bind(c) result(r)
             import
@@ -2480,7 +2450,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_hausdorff_distance_with
         ! --- Lengths, areas and moments
-        !> Length of a curve or of a part of it.
+        !> The length of a curve or of a part of it.
         function nurbs_curve_length(g, range, relative_tolerance, length, error) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2490,7 +2460,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_curve_length
-        !> nurbs_curve_length() as a call that can be watched and ended.
+        !> nurbs_curve_length() with progress reports, cancellation and a limit of work.
         function nurbs_curve_length_with(g, range, relative_tolerance, length, error, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2512,7 +2482,7 @@ module nurbs_c
             real(c_double), intent(inout) :: lengths(*)
             integer(c_int32_t) :: r
         end function nurbs_curve_lengths
-        !> nurbs_curve_lengths() as a call that can be watched and ended.
+        !> nurbs_curve_lengths() with progress reports, cancellation and a limit of work.
         function nurbs_curve_lengths_with(g, n, params, param_stride, relative_tolerance, lengths, &
                 length_stride, call) bind(c) result(r)
             import
@@ -2536,7 +2506,7 @@ module nurbs_c
             integer(c_int32_t), value :: flags
             integer(c_int32_t) :: r
         end function nurbs_curve_params_at_lengths
-        !> nurbs_curve_params_at_lengths() as a call that can be watched and ended.
+        !> nurbs_curve_params_at_lengths() with progress reports, cancellation and a limit of work.
         function nurbs_curve_params_at_lengths_with(g, n, lengths, length_stride, relative_tolerance, &
                 params, param_stride, flags, call) bind(c) result(r)
             import
@@ -2562,7 +2532,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: size
             integer(c_int32_t) :: r
         end function nurbs_curve_divide
-        !> nurbs_curve_divide() as a call that can be watched and ended.
+        !> nurbs_curve_divide() with progress reports, cancellation and a limit of work.
         function nurbs_curve_divide_with(g, range, parts, relative_tolerance, flags, params, size, call) &
                 bind(c) result(r)
             import
@@ -2576,7 +2546,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_curve_divide_with
-        !> Area of a surface, in any dimension.
+        !> The area of a surface or of a part of it, in any dimension.
         function nurbs_surface_area(g, range, relative_tolerance, area, error) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2586,7 +2556,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_surface_area
-        !> nurbs_surface_area() as a call that can be watched and ended.
+        !> nurbs_surface_area() with progress reports, cancellation and a limit of work.
         function nurbs_surface_area_with(g, range, relative_tolerance, area, error, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2597,8 +2567,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_surface_area_with
-        !> Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet, of
-        !> a volume as a body (the integral of |det J|, J its derivatives).
+        !> Content, centroid and inertia of a curve as a wire, a surface as a sheet, or a volume as a body.
         function nurbs_moments(g, relative_tolerance, content, centroid, inertia, error) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2607,7 +2576,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
             integer(c_int32_t) :: r
         end function nurbs_moments
-        !> nurbs_moments() as a call that can be watched and ended.
+        !> nurbs_moments() with progress reports, cancellation and a limit of work.
         function nurbs_moments_with(g, relative_tolerance, content, centroid, inertia, error, call) bind(c) &
                 result(r)
             import
@@ -2618,8 +2587,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_moments_with
-        !> Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by
-        !> Green's theorem: 1/2 integral of x dy - y dx.
+        !> Area, centroid and inertia of the region of the plane that closed chains of curves enclose.
         function nurbs_enclosed_area(count, curves, tolerance, relative_tolerance, area, centroid, inertia, &
                 error) bind(c) result(r)
             import
@@ -2630,7 +2598,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
             integer(c_int32_t) :: r
         end function nurbs_enclosed_area
-        !> nurbs_enclosed_area() as a call that can be watched and ended.
+        !> nurbs_enclosed_area() with progress reports, cancellation and a limit of work.
         function nurbs_enclosed_area_with(count, curves, tolerance, relative_tolerance, area, centroid, &
                 inertia, error, call) bind(c) result(r)
             import
@@ -2642,8 +2610,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_enclosed_area_with
-        !> Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
-        !> integral of S . (S_u x S_v).
+        !> Volume, centroid and inertia of the body that surfaces enclose.
         function nurbs_enclosed_volume(count, surfaces, relative_tolerance, volume, centroid, inertia, &
                 openness, error) bind(c) result(r)
             import
@@ -2654,7 +2621,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), openness, error
             integer(c_int32_t) :: r
         end function nurbs_enclosed_volume
-        !> nurbs_enclosed_volume() as a call that can be watched and ended.
+        !> nurbs_enclosed_volume() with progress reports, cancellation and a limit of work.
         function nurbs_enclosed_volume_with(count, surfaces, relative_tolerance, volume, centroid, inertia, &
                 openness, error, call) bind(c) result(r)
             import
@@ -2666,9 +2633,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_enclosed_volume_with
-        !> Points and weights for integrals of any function over a spline: tensor products of rules of Gauss
-        !> and Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2
-        !> nodes - 1 on each span.
+        !> Points and weights for integrals of any function over a spline.
         function nurbs_quadrature(g, nodes, cap, params, weights, measures, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2679,8 +2644,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_quadrature
         ! --- Boxes and cones
-        !> An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
-        !> homogeneous ones, whose rounding has no such bound).
+        !> An axis-aligned box that contains a spline, and all points that evaluation gives of it.
         function nurbs_box(g, range, tolerance, lower, upper, gap) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2690,8 +2654,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gap
             integer(c_int32_t) :: r
         end function nurbs_box
-        !> A box with axes of its own that contains a spline: { center + sum_k x_k axes[k], |x_k| <= half[k]
-        !> }.
+        !> A box with axes of its own that contains a spline.
         function nurbs_oriented_box(g, tolerance, center, axes, half) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2699,8 +2662,7 @@ module nurbs_c
             real(c_double), intent(inout) :: center(*), axes(*), half(*)
             integer(c_int32_t) :: r
         end function nurbs_oriented_box
-        !> A cone that contains the directions of all derivatives along an axis, and so those at kinks; zero
-        !> vectors have none.
+        !> A cone that contains the directions of all derivatives along an axis.
         function nurbs_tangent_cone(g, axis, range, tolerance, direction, angle) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2741,7 +2703,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_features
-        !> nurbs_curve_features() as a call that can be watched and ended.
+        !> nurbs_curve_features() with progress reports, cancellation and a limit of work.
         function nurbs_curve_features_with(g, kinds, cap, params, found, values, count, complete, call) &
                 bind(c) result(r)
             import
@@ -2765,7 +2727,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_extrema
-        !> nurbs_extrema() as a call that can be watched and ended.
+        !> nurbs_extrema() with progress reports, cancellation and a limit of work.
         function nurbs_extrema_with(g, kinds, cap, params, values, found, boxes, count, complete, call) &
                 bind(c) result(r)
             import
@@ -2778,8 +2740,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_extrema_with
-        !> The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or,
-        !> to rounding, stays on whole Bezier pieces.
+        !> The pieces of a curve on which it runs one way along a direction.
         function nurbs_curve_monotone_pieces(g, direction, cap, starts, signs, count, complete) bind(c) &
                 result(r)
             import
@@ -2791,9 +2752,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_curve_monotone_pieces
-        !> Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks
-        !> included, to rounding: pieces count as straight, and places as not turning, where double precision
-        !> cannot decide.
+        !> Whether a curve in the plane is convex: whether it turns one way only, and by at most a full turn.
         function nurbs_curve_convexity(g, convexity) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2825,8 +2784,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gaps(*), sizes(*)
             integer(c_int32_t) :: r
         end function nurbs_boundary_contacts
-        !> Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0 (the two first derivatives
-        !> are parallel, or one of them vanishes).
+        !> Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0.
         function nurbs_singular_points(g, tolerance, cap, params, boxes, count, complete) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2837,9 +2795,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: complete
             integer(c_int32_t) :: r
         end function nurbs_singular_points
-        !> Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of
-        !> the first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x
-        !> S_v) . reference.
+        !> Whether a surface or volume folds over: whether the sign of J changes.
         function nurbs_fold_test(g, reference, result, positive, negative) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2848,7 +2804,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: positive(*), negative(*)
             integer(c_int32_t) :: r
         end function nurbs_fold_test
-        !> nurbs_fold_test() as a call that can be watched and ended.
+        !> nurbs_fold_test() with progress reports, cancellation and a limit of work.
         function nurbs_fold_test_with(g, reference, result, positive, negative, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2858,8 +2814,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_fold_test_with
-        !> nurbs_fold_test() of each polynomial piece by itself, in the order of nurbs_bezier_pieces() and
-        !> nurbs_bezier_cells(), with one reference for all of them.
+        !> nurbs_fold_test() of each polynomial piece by itself.
         function nurbs_fold_pieces(g, reference, cap, folds, signs, count) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -2869,7 +2824,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_fold_pieces
-        !> nurbs_fold_pieces() as a call that can be watched and ended.
+        !> nurbs_fold_pieces() with progress reports, cancellation and a limit of work.
         function nurbs_fold_pieces_with(g, reference, cap, folds, signs, count, call) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3558,7 +3513,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_constrain
-        !> nurbs_constrain() as a call that can be watched and ended.
+        !> nurbs_constrain() with progress reports, cancellation and a limit of work.
         function nurbs_constrain_with(g, constraints, report, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3606,7 +3561,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_bend
-        !> nurbs_bend() as a call that can be watched and ended.
+        !> nurbs_bend() with progress reports, cancellation and a limit of work.
         function nurbs_bend_with(g, origin, along, across, curvature, lower, upper, tolerance, deviation, &
                 proven, call, out) bind(c) result(r)
             import
@@ -3632,7 +3587,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_free_form_deform
-        !> nurbs_free_form_deform() as a call that can be watched and ended.
+        !> nurbs_free_form_deform() with progress reports, cancellation and a limit of work.
         function nurbs_free_form_deform_with(g, volume, lower, upper, tolerance, deviation, proven, call, &
                 out) bind(c) result(r)
             import
@@ -3659,7 +3614,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_fair
-        !> nurbs_fair() as a call that can be watched and ended.
+        !> nurbs_fair() with progress reports, cancellation and a limit of work.
         function nurbs_fair_with(g, order, keep, tolerance, energies, bound, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: g
@@ -3783,7 +3738,7 @@ module nurbs_c
             integer(c_int32_t) :: r
         end function nurbs_length_adjoint
         ! --- Trimmed faces
-        !> A face of a surface and loops of curves.
+        !> A face made of a surface and loops of curves.
         function nurbs_face_create(surface, loops, sizes, curves, edges, keys, tolerance, flags, gaps, out) &
                 bind(c) result(r)
             import
@@ -3797,7 +3752,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_create
-        !> nurbs_face_create() as a call that can be watched and ended.
+        !> nurbs_face_create() with progress reports, cancellation and a limit of work.
         function nurbs_face_create_with(surface, loops, sizes, curves, edges, keys, tolerance, flags, gaps, &
                 call, out) bind(c) result(r)
             import
@@ -3839,7 +3794,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: sizes(*), count
             integer(c_int32_t) :: r
         end function nurbs_face_loops
-        !> A curve of a loop in the domain of the surface, as it runs with the inside to its left.
+        !> A curve of a loop in the domain of the surface, running with the inside to its left.
         function nurbs_face_curve(face, loop, index, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -3847,8 +3802,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_curve
-        !> The edge in space that belongs to a curve of a loop: the one that was given, in its own direction,
-        !> or one that is made.
+        !> The edge in space that belongs to a curve of a loop.
         function nurbs_face_edge(face, loop, index, key, out) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -3857,8 +3811,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_edge
-        !> How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if
-        !> that is within the tolerance of the face, else from each to the nearest point of the other.
+        !> How far a curve of a loop, mapped by the surface, and its edge are apart.
         function nurbs_face_deviation(face, loop, index, distance, proven) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -3874,7 +3827,7 @@ module nurbs_c
             real(c_double), intent(inout) :: tolerance
             integer(c_int32_t) :: r
         end function nurbs_face_tolerance
-        !> On which side of the boundary of a face parameters lie.
+        !> On which side of the boundary of a face places of the domain lie.
         function nurbs_face_classify(face, n, params, param_stride, param_component_stride, tolerance, &
                 sides) bind(c) result(r)
             import
@@ -3885,7 +3838,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout) :: sides(*)
             integer(c_int32_t) :: r
         end function nurbs_face_classify
-        !> nurbs_face_classify() as a call that can be watched and ended.
+        !> nurbs_face_classify() with progress reports, cancellation and a limit of work.
         function nurbs_face_classify_with(face, n, params, param_stride, param_component_stride, tolerance, &
                 sides, call) bind(c) result(r)
             import
@@ -3897,8 +3850,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_classify_with
-        !> Where rays x = origin + t direction, t >= 0, meet a face first: hits of its surface, as
-        !> nurbs_surface_rays() finds them, that lie inside of its loops for certain.
+        !> The first hits of rays x = origin + t direction, t >= 0, with a face.
         function nurbs_face_rays(face, n, origins, origin_stride, origin_component_stride, directions, &
                 direction_stride, direction_component_stride, params, distances, status) bind(c) result(r)
             import
@@ -3910,7 +3862,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status(*)
             integer(c_int32_t) :: r
         end function nurbs_face_rays
-        !> nurbs_face_rays() as a call that can be watched and ended.
+        !> nurbs_face_rays() with progress reports, cancellation and a limit of work.
         function nurbs_face_rays_with(face, n, origins, origin_stride, origin_component_stride, directions, &
                 direction_stride, direction_component_stride, params, distances, status, call) bind(c) &
                 result(r)
@@ -3924,9 +3876,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_rays_with
-        !> The points of a face that are nearest to given points: that of its surface, if it lies inside; else
-        !> the nearest one of the boundary, or of those local minima of the distance from the surface that lie
-        !> inside and are nearer.
+        !> The points of a face that are nearest to given points.
         function nurbs_face_closest_points(face, n, points, point_stride, point_component_stride, tolerance, &
                 params, feet, distances, status) bind(c) result(r)
             import
@@ -3938,7 +3888,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status(*)
             integer(c_int32_t) :: r
         end function nurbs_face_closest_points
-        !> nurbs_face_closest_points() as a call that can be watched and ended.
+        !> nurbs_face_closest_points() with progress reports, cancellation and a limit of work.
         function nurbs_face_closest_points_with(face, n, points, point_stride, point_component_stride, &
                 tolerance, params, feet, distances, status, call) bind(c) result(r)
             import
@@ -3951,9 +3901,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_closest_points_with
-        !> The smallest distance between two faces, enclosed, as that of splines (nurbs_distance()): at_least
-        !> <= distance of the nearest points <= at_most, which is the distance of the two points returned;
-        !> they differ by at most the tolerance and rounding unless the work ends.
+        !> Proven bounds of the smallest distance between two faces.
         function nurbs_face_distance(a, b, tolerance, at_least, at_most, params_a, params_b, status) bind(c) &
                 result(r)
             import
@@ -3963,7 +3911,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_face_distance
-        !> nurbs_face_distance() as a call that can be watched and ended.
+        !> nurbs_face_distance() with progress reports, cancellation and a limit of work.
         function nurbs_face_distance_with(a, b, tolerance, at_least, at_most, params_a, params_b, status, &
                 call) bind(c) result(r)
             import
@@ -3974,9 +3922,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_distance_with
-        !> The Hausdorff distances of two faces: how far the point of a that is farthest from b is from it,
-        !> and the other way round, as of splines (nurbs_hausdorff_distance()); the larger of the two is the
-        !> symmetric distance.
+        !> Proven bounds of the Hausdorff distances of two faces.
         function nurbs_face_hausdorff_distance(a, b, tolerance, at_least, at_most, params_a, params_b, &
                 status) bind(c) result(r)
             import
@@ -3986,7 +3932,7 @@ module nurbs_c
             integer(c_int32_t), intent(inout), optional :: status
             integer(c_int32_t) :: r
         end function nurbs_face_hausdorff_distance
-        !> nurbs_face_hausdorff_distance() as a call that can be watched and ended.
+        !> nurbs_face_hausdorff_distance() with progress reports, cancellation and a limit of work.
         function nurbs_face_hausdorff_distance_with(a, b, tolerance, at_least, at_most, params_a, params_b, &
                 status, call) bind(c) result(r)
             import
@@ -3997,8 +3943,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_hausdorff_distance_with
-        !> Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain
-        !> (Gunderman, Weiss, Evans 2021), each within one span of the surface.
+        !> The area of a face.
         function nurbs_face_area(face, relative_tolerance, area, error) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4007,7 +3952,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: error
             integer(c_int32_t) :: r
         end function nurbs_face_area
-        !> nurbs_face_area() as a call that can be watched and ended.
+        !> nurbs_face_area() with progress reports, cancellation and a limit of work.
         function nurbs_face_area_with(face, relative_tolerance, area, error, call) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4017,8 +3962,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_area_with
-        !> Area, centroid and inertia of a face, as nurbs_moments() has them of a whole surface; dim is its
-        !> dimension.
+        !> Area, centroid and inertia of a face, as nurbs_moments() computes them for a whole surface.
         function nurbs_face_moments(face, relative_tolerance, content, centroid, inertia, error) bind(c) &
                 result(r)
             import
@@ -4028,7 +3972,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: centroid(*), inertia(*), error
             integer(c_int32_t) :: r
         end function nurbs_face_moments
-        !> nurbs_face_moments() as a call that can be watched and ended.
+        !> nurbs_face_moments() with progress reports, cancellation and a limit of work.
         function nurbs_face_moments_with(face, relative_tolerance, content, centroid, inertia, error, call) &
                 bind(c) result(r)
             import
@@ -4039,9 +3983,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_moments_with
-        !> Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a
-        !> whole surface: rules of Gauss on cells of which the face consists, each between two lines across
-        !> the first axis and between two curves, or knots, that stay in one span of the surface.
+        !> Points and weights for integrals of any function over a face.
         function nurbs_face_quadrature(face, nodes, cap, params, weights, measures, count) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4051,7 +3993,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: count
             integer(c_int32_t) :: r
         end function nurbs_face_quadrature
-        !> nurbs_face_quadrature() as a call that can be watched and ended.
+        !> nurbs_face_quadrature() with progress reports, cancellation and a limit of work.
         function nurbs_face_quadrature_with(face, nodes, cap, params, weights, measures, count, call) &
                 bind(c) result(r)
             import
@@ -4063,7 +4005,7 @@ module nurbs_c
             type(nurbs_call_options), intent(in), optional :: call
             integer(c_int32_t) :: r
         end function nurbs_face_quadrature_with
-        !> An axis-aligned box that contains a face; dim is the dimension of its surface.
+        !> An axis-aligned box that contains a face.
         function nurbs_face_box(face, tolerance, lower, upper, gap) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4072,7 +4014,7 @@ module nurbs_c
             real(c_double), intent(inout), optional :: gap
             integer(c_int32_t) :: r
         end function nurbs_face_box
-        !> nurbs_face_box() as a call that can be watched and ended.
+        !> nurbs_face_box() with progress reports, cancellation and a limit of work.
         function nurbs_face_box_with(face, tolerance, lower, upper, gap, call) bind(c) result(r)
             import
             type(c_ptr), value :: face
@@ -4090,7 +4032,7 @@ module nurbs_c
             integer(c_int64_t), value :: struct_size
             integer(c_int32_t) :: r
         end function nurbs_read_options_init
-        !> Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
+        !> Reads the curves and surfaces of an IGES or a STEP file.
         function nurbs_read(bytes, size, options, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -4099,7 +4041,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read
-        !> nurbs_read() as a call that can be watched and ended.
+        !> nurbs_read() with progress reports, cancellation and a limit of work.
         function nurbs_read_with(bytes, size, options, call, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -4117,7 +4059,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_read_file
-        !> nurbs_read_file() as a call that can be watched and ended.
+        !> nurbs_read_file() with progress reports, cancellation and a limit of work.
         function nurbs_read_file_with(path, options, call, out) bind(c) result(r)
             import
             character(kind=c_char), intent(in) :: path(*)
@@ -4143,7 +4085,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout) :: count
             integer(c_int32_t) :: r
         end function nurbs_list_count
-        !> A new handle on spline `index`; it outlives the list.
+        !> A new handle on spline `index`, which outlives the list.
         function nurbs_list_get(list, index, out) bind(c) result(r)
             import
             type(c_ptr), value :: list
@@ -4151,9 +4093,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_list_get
-        !> Name of spline `index`: that of the file (IGES: name property, else label and subscript; STEP: name
-        !> of the face, edge, curve or surface, in UTF-8), else "type#line" such as "126#17", in STEP the
-        !> instance such as "#17"; in other lists as the function says that made them.
+        !> The name of spline `index`.
         function nurbs_list_name(list, index, buf, cap, length) bind(c) result(r)
             import
             type(c_ptr), value :: list
@@ -4179,7 +4119,7 @@ module nurbs_c
             character(kind=c_char), intent(inout), optional :: buf(*)
             integer(c_int32_t) :: r
         end function nurbs_list_note
-        !> Unit of length of the splines in a list.
+        !> The unit of length of the splines in a list.
         function nurbs_list_unit(list, metres) bind(c) result(r)
             import
             type(c_ptr), value :: list
@@ -4192,8 +4132,7 @@ module nurbs_c
             type(c_ptr), value :: list
         end subroutine nurbs_list_destroy
         ! --- Handles as bytes
-        !> A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
-        !> each part to a multiple of 64.
+        !> A spline as bytes.
         function nurbs_to_bytes(g, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: g, bytes
@@ -4201,8 +4140,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_to_bytes
-        !> The spline of the bytes of nurbs_to_bytes(): the same stored values, bit for bit, and the same
-        !> periodic axes.
+        !> The spline of the bytes of nurbs_to_bytes().
         function nurbs_from_bytes(bytes, size, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -4226,8 +4164,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_list_from_bytes
-        !> A face as bytes: its surface, loops, edges, keys, tolerance, and what was proven of curves that
-        !> were made.
+        !> A face as bytes.
         function nurbs_face_to_bytes(face, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: face, bytes
@@ -4235,8 +4172,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_face_to_bytes
-        !> The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same
-        !> machine.
+        !> The face of the bytes of nurbs_face_to_bytes().
         function nurbs_face_from_bytes(bytes, size, out) bind(c) result(r)
             import
             type(c_ptr), value :: bytes
@@ -4244,9 +4180,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_face_from_bytes
-        !> A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses,
-        !> names, colours, solids, layers, kinds of curves and surfaces, and the splines, notes and unit of
-        !> nurbs_model_splines().
+        !> A model as bytes, with everything that it holds.
         function nurbs_model_to_bytes(model, cap, bytes, length) bind(c) result(r)
             import
             type(c_ptr), value :: model, bytes
@@ -4262,7 +4196,7 @@ module nurbs_c
             type(c_ptr), intent(out) :: out
             integer(c_int32_t) :: r
         end function nurbs_model_from_bytes
-        !> Of which kind bytes are, and in which version of the form, from their first 64.
+        !> The kind of handle that bytes hold, and the version of their form.
         function nurbs_bytes_kind(bytes, size, kind, major, minor) bind(c) result(r)
             import
             type(c_ptr), value :: bytes

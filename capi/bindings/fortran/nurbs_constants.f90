@@ -224,20 +224,21 @@ module nurbs_constants
 
     ! --- Rules for parameters, for nurbs_parametrize()
     integer(c_int32_t), parameter :: NURBS_PARAMS_UNIFORM = 0  ! equal steps
-    integer(c_int32_t), parameter :: NURBS_PARAMS_CHORD = 1  ! steps as long as the chords
-    integer(c_int32_t), parameter :: NURBS_PARAMS_CENTRIPETAL = 2  ! their square roots (Lee 1989)
-    integer(c_int32_t), parameter :: NURBS_PARAMS_POWER = 3  ! a power of them
-    ! chords that count for more where the polygon turns
+    integer(c_int32_t), parameter :: NURBS_PARAMS_CHORD = 1  ! steps in proportion to the chords
+    ! steps in proportion to the square roots of the chords (Lee 1989)
+    integer(c_int32_t), parameter :: NURBS_PARAMS_CENTRIPETAL = 2
+    integer(c_int32_t), parameter :: NURBS_PARAMS_POWER = 3  ! steps in proportion to a power of the chords
+    ! steps in proportion to the chords, longer where the polygon turns
     integer(c_int32_t), parameter :: NURBS_PARAMS_FOLEY_NIELSON = 4
 
     ! --- Ends of an interpolating spline, for nurbs_interpolate()
-    integer(c_int32_t), parameter :: NURBS_ENDS_NOT_A_KNOT = 0  ! the parameters next to the end are no knots
+    integer(c_int32_t), parameter :: NURBS_ENDS_NOT_A_KNOT = 0  ! the parameters next to the end are not knots
     ! derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
     integer(c_int32_t), parameter :: NURBS_ENDS_NATURAL = 1
-    ! knots averaged from the parameters, nurbs_knots_averaged(); both ends
+    ! knots averaged from the parameters (nurbs_knots_averaged()); both ends
     integer(c_int32_t), parameter :: NURBS_ENDS_FREE = 2
 
-    ! --- Orders of derivatives that are no number, for nurbs_curve_interpolate()
+    ! --- Special orders of derivatives, for nurbs_curve_interpolate()
     ! the first derivative has the direction of the target, of any length
     integer(c_int32_t), parameter :: NURBS_ORDER_DIRECTION = -1
 
@@ -247,13 +248,13 @@ module nurbs_constants
     ! by generalised cross validation (Craven & Wahba 1979)
     integer(c_int32_t), parameter :: NURBS_SMOOTHING_GCV = 2
     integer(c_int32_t), parameter :: NURBS_SMOOTHING_REML = 3  ! by restricted maximum likelihood (Wood 2011)
-    ! as smooth as a sum of squares allows (Reinsch 1967)
+    ! as smooth as a given sum of squares allows (Reinsch 1967)
     integer(c_int32_t), parameter :: NURBS_SMOOTHING_DISCREPANCY = 4
 
-    ! --- What outliers are worth, for nurbs_fit_options
-    integer(c_int32_t), parameter :: NURBS_ROBUST_NONE = 0  ! as much as all data
-    integer(c_int32_t), parameter :: NURBS_ROBUST_HUBER = 1  ! min(1, 1 / x) of their weight (Huber 1964)
-    ! (1 - x^2)^2 of it for x < 1, nothing beyond (Beaton & Tukey 1974)
+    ! --- How much outliers count, for nurbs_fit_options
+    integer(c_int32_t), parameter :: NURBS_ROBUST_NONE = 0  ! as much as other data
+    integer(c_int32_t), parameter :: NURBS_ROBUST_HUBER = 1  ! their weight times min(1, 1 / x) (Huber 1964)
+    ! their weight times (1 - x^2)^2 for x < 1, else 0 (Beaton & Tukey 1974)
     integer(c_int32_t), parameter :: NURBS_ROBUST_TUKEY = 2
 
     ! --- Shapes along an axis, for nurbs_fit_options; they can be added
@@ -266,21 +267,22 @@ module nurbs_constants
     ! the first derivative does not rise
     integer(c_int32_t), parameter :: NURBS_TREND_CONCAVE = int(z'08', c_int32_t)
 
-    ! --- What nurbs_fit_report tells besides
-    ! no smoothing leaves as little as the target asks for
+    ! --- Bits of nurbs_fit_report
+    ! the target, or the tolerance, is not reached
     integer(c_int32_t), parameter :: NURBS_FIT_TARGET_MISSED = int(z'01', c_int32_t)
-    ! rounds of a robust fit, or of a shape, still changed it
+    ! the last round of a robust fit, or of a shape, still changed it
     integer(c_int32_t), parameter :: NURBS_FIT_NOT_CONVERGED = int(z'02', c_int32_t)
 
-    ! --- What nurbs_cloud_report tells besides
-    ! the rounds, or the limit of work, ended while the sum still fell
+    ! --- Bits of nurbs_cloud_report
+    ! the rounds, or the limit of work, ended while the sum was still falling
     integer(c_int32_t), parameter :: NURBS_CLOUD_NOT_CONVERGED = int(z'01', c_int32_t)
 
     ! --- Rules for tangents, for nurbs_tangents()
     integer(c_int32_t), parameter :: NURBS_TANGENTS_CATMULL_ROM = 0  ! the slope between the neighbours
-    ! of the parabola through a point and its neighbours
+    ! the slope of the parabola through a point and its neighbours
     integer(c_int32_t), parameter :: NURBS_TANGENTS_BESSEL = 1
-    integer(c_int32_t), parameter :: NURBS_TANGENTS_AKIMA = 2  ! chords by how little they change (Akima 1970)
+    ! mean of both slopes, weighted by their steadiness (Akima 1970)
+    integer(c_int32_t), parameter :: NURBS_TANGENTS_AKIMA = 2
     ! each coordinate rises and falls as the data do (Fritsch & Butland 1984)
     integer(c_int32_t), parameter :: NURBS_TANGENTS_MONOTONE = 3
 
@@ -399,7 +401,7 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_EXTREMUM_SADDLE = int(z'04', c_int32_t)
     ! f is constant in the range
     integer(c_int32_t), parameter :: NURBS_EXTREMUM_PLATEAU = int(z'08', c_int32_t)
-    ! a range in which it is left open what there is
+    ! a range in which it is not decided what there is
     integer(c_int32_t), parameter :: NURBS_EXTREMUM_UNDECIDED = int(z'10', c_int32_t)
 
     ! --- Convexity of a curve in the plane
@@ -496,11 +498,11 @@ module nurbs_constants
     integer(c_int32_t), parameter :: NURBS_CONSTRAIN_CURVATURE = 3
 
     ! --- What files are read for
-    ! curves: of lists all, also those of edges; of models those that no face or edge consists of
+    ! curves: in lists all, also those of edges; in models those that are part of no face or edge
     integer(c_int32_t), parameter :: NURBS_READ_CURVES = int(z'1', c_int32_t)
-    ! surfaces: of lists all, also those of faces; of models those that no face consists of (STEP)
+    ! surfaces: in lists all, also those of faces; in models those that are part of no face (STEP)
     integer(c_int32_t), parameter :: NURBS_READ_SURFACES = int(z'2', c_int32_t)
-    ! faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too
+    ! faces of models with their edges and vertices, and other edges; in IGES also surfaces alone
     integer(c_int32_t), parameter :: NURBS_READ_FACES = int(z'4', c_int32_t)
 
     ! --- Kinds of handles

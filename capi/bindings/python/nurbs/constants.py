@@ -142,17 +142,17 @@ NURBS_BASIS_BSPLINE = 3  # control points over the knots -degree, ..., degree + 
 
 # --- Rules for parameters, for nurbs_parametrize()
 NURBS_PARAMS_UNIFORM = 0  # equal steps
-NURBS_PARAMS_CHORD = 1  # steps as long as the chords
-NURBS_PARAMS_CENTRIPETAL = 2  # their square roots (Lee 1989)
-NURBS_PARAMS_POWER = 3  # a power of them
-NURBS_PARAMS_FOLEY_NIELSON = 4  # chords that count for more where the polygon turns
+NURBS_PARAMS_CHORD = 1  # steps in proportion to the chords
+NURBS_PARAMS_CENTRIPETAL = 2  # steps in proportion to the square roots of the chords (Lee 1989)
+NURBS_PARAMS_POWER = 3  # steps in proportion to a power of the chords
+NURBS_PARAMS_FOLEY_NIELSON = 4  # steps in proportion to the chords, longer where the polygon turns
 
 # --- Ends of an interpolating spline, for nurbs_interpolate()
-NURBS_ENDS_NOT_A_KNOT = 0  # the parameters next to the end are no knots
+NURBS_ENDS_NOT_A_KNOT = 0  # the parameters next to the end are not knots
 NURBS_ENDS_NATURAL = 1  # derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
-NURBS_ENDS_FREE = 2  # knots averaged from the parameters, nurbs_knots_averaged(); both ends
+NURBS_ENDS_FREE = 2  # knots averaged from the parameters (nurbs_knots_averaged()); both ends
 
-# --- Orders of derivatives that are no number, for nurbs_curve_interpolate()
+# --- Special orders of derivatives, for nurbs_curve_interpolate()
 NURBS_ORDER_DIRECTION = -1  # the first derivative has the direction of the target, of any length
 
 # --- How smooth a fit is, for nurbs_fit_options
@@ -160,12 +160,12 @@ NURBS_SMOOTHING_NONE = 0  # only the data count
 NURBS_SMOOTHING_LAMBDA = 1  # the factor of the penalty is given
 NURBS_SMOOTHING_GCV = 2  # by generalised cross validation (Craven & Wahba 1979)
 NURBS_SMOOTHING_REML = 3  # by restricted maximum likelihood (Wood 2011)
-NURBS_SMOOTHING_DISCREPANCY = 4  # as smooth as a sum of squares allows (Reinsch 1967)
+NURBS_SMOOTHING_DISCREPANCY = 4  # as smooth as a given sum of squares allows (Reinsch 1967)
 
-# --- What outliers are worth, for nurbs_fit_options
-NURBS_ROBUST_NONE = 0  # as much as all data
-NURBS_ROBUST_HUBER = 1  # min(1, 1 / x) of their weight (Huber 1964)
-NURBS_ROBUST_TUKEY = 2  # (1 - x^2)^2 of it for x < 1, nothing beyond (Beaton & Tukey 1974)
+# --- How much outliers count, for nurbs_fit_options
+NURBS_ROBUST_NONE = 0  # as much as other data
+NURBS_ROBUST_HUBER = 1  # their weight times min(1, 1 / x) (Huber 1964)
+NURBS_ROBUST_TUKEY = 2  # their weight times (1 - x^2)^2 for x < 1, else 0 (Beaton & Tukey 1974)
 
 # --- Shapes along an axis, for nurbs_fit_options; they can be added
 NURBS_TREND_RISING = 0x01  # the first derivative is >= 0
@@ -173,17 +173,17 @@ NURBS_TREND_FALLING = 0x02  # the first derivative is <= 0
 NURBS_TREND_CONVEX = 0x04  # the first derivative does not fall
 NURBS_TREND_CONCAVE = 0x08  # the first derivative does not rise
 
-# --- What nurbs_fit_report tells besides
-NURBS_FIT_TARGET_MISSED = 0x01  # no smoothing leaves as little as the target asks for
-NURBS_FIT_NOT_CONVERGED = 0x02  # rounds of a robust fit, or of a shape, still changed it
+# --- Bits of nurbs_fit_report
+NURBS_FIT_TARGET_MISSED = 0x01  # the target, or the tolerance, is not reached
+NURBS_FIT_NOT_CONVERGED = 0x02  # the last round of a robust fit, or of a shape, still changed it
 
-# --- What nurbs_cloud_report tells besides
-NURBS_CLOUD_NOT_CONVERGED = 0x01  # the rounds, or the limit of work, ended while the sum still fell
+# --- Bits of nurbs_cloud_report
+NURBS_CLOUD_NOT_CONVERGED = 0x01  # the rounds, or the limit of work, ended while the sum was still falling
 
 # --- Rules for tangents, for nurbs_tangents()
 NURBS_TANGENTS_CATMULL_ROM = 0  # the slope between the neighbours
-NURBS_TANGENTS_BESSEL = 1  # of the parabola through a point and its neighbours
-NURBS_TANGENTS_AKIMA = 2  # chords by how little they change (Akima 1970)
+NURBS_TANGENTS_BESSEL = 1  # the slope of the parabola through a point and its neighbours
+NURBS_TANGENTS_AKIMA = 2  # mean of both slopes, weighted by their steadiness (Akima 1970)
 NURBS_TANGENTS_MONOTONE = 3  # each coordinate rises and falls as the data do (Fritsch & Butland 1984)
 
 # --- Ends of an axis
@@ -270,7 +270,7 @@ NURBS_EXTREMUM_MINIMUM = 0x01  # no value beside it is smaller
 NURBS_EXTREMUM_MAXIMUM = 0x02  # no value beside it is larger
 NURBS_EXTREMUM_SADDLE = 0x04  # f turns up along some axes, and down along others
 NURBS_EXTREMUM_PLATEAU = 0x08  # f is constant in the range
-NURBS_EXTREMUM_UNDECIDED = 0x10  # a range in which it is left open what there is
+NURBS_EXTREMUM_UNDECIDED = 0x10  # a range in which it is not decided what there is
 
 # --- Convexity of a curve in the plane
 NURBS_CONVEXITY_NONE = 0  # turns both ways, or through more than a full turn, or has a cusp
@@ -332,10 +332,10 @@ NURBS_CONSTRAIN_NORMAL = 2  # all first derivatives are perpendicular to the tar
 NURBS_CONSTRAIN_CURVATURE = 3  # the curvature vector (C'' - (C'' T) T) / |C'|^2 of a curve is the target
 
 # --- What files are read for
-NURBS_READ_CURVES = 0x1  # curves: of lists all, also those of edges; of models those that no face or edge consists of
-# surfaces: of lists all, also those of faces; of models those that no face consists of (STEP)
+NURBS_READ_CURVES = 0x1  # curves: in lists all, also those of edges; in models those that are part of no face or edge
+# surfaces: in lists all, also those of faces; in models those that are part of no face (STEP)
 NURBS_READ_SURFACES = 0x2
-NURBS_READ_FACES = 0x4  # faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too
+NURBS_READ_FACES = 0x4  # faces of models with their edges and vertices, and other edges; in IGES also surfaces alone
 
 # --- Kinds of handles
 NURBS_BYTES_SPLINE = 1  # a spline: nurbs_from_bytes()

@@ -56,18 +56,18 @@ pub struct nurbs_mesh {
 /// Result of a call: 0, or one of the NURBS_ERROR_ codes.
 pub type nurbs_status = i32;
 
-/// Told how much of a call is done: an estimate, from 0 to 1, which never falls. Anything but 0 ends the
-/// call.
+/// Called with how much of a call is done: an estimate from 0 to 1 that never decreases. A result other than
+/// 0 ends the call.
 pub type nurbs_progress = Option<unsafe extern "C" fn(done: f64, user: *mut c_void) -> i32>;
 
-/// What a caller wants of a long call; fill with nurbs_call_options_init() first. Fields are only ever
-/// appended, and struct_size is at most 4096.
+/// Limit of work and progress callback of a long call; fill with nurbs_call_options_init() first. Fields are
+/// only ever appended, and struct_size is at most 4096.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_call_options {
     /// size of this struct as the caller knows it
     pub struct_size: i64,
-    /// most multiply-adds; 0: no limit of the caller's
+    /// largest number of multiply-adds; 0: no limit of the caller
     pub work: i64,
     /// or NULL: called now and then
     pub progress: nurbs_progress,
@@ -75,7 +75,7 @@ pub struct nurbs_call_options {
     pub user: *mut c_void,
 }
 
-/// Data: values at parameters, with weights. nurbs_data_init() makes all fields 0 or NULL. Fields are only
+/// Data: values at parameters, with weights. nurbs_data_init() sets all fields to 0 or NULL. Fields are only
 /// ever appended. \since 1.1
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -100,7 +100,7 @@ pub struct nurbs_data {
     pub value_stride: i64,
     /// distance between components, 0 = 1
     pub value_component_stride: i64,
-    /// \[n\] or NULL for 1: weights \>= 0; those of 0 leave a value out
+    /// \[n\] or NULL for 1: weights \>= 0; 0 leaves the value out
     pub weights: *const f64,
     /// distance between weights, 0 = 1
     pub weight_stride: i64,
@@ -111,38 +111,39 @@ pub struct nurbs_data {
     pub reserved: u32,
 }
 
-/// What a fit is to be besides close to the data. nurbs_fit_options_init() fills in the defaults, which NULL
-/// stands for as well. Fields are only ever appended. \since 1.1
+/// Settings of a fit: smoothing, conditions, robustness and shape. nurbs_fit_options_init() fills in the
+/// defaults, which NULL stands for as well. Fields are only ever appended. \since 1.1
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_fit_options {
     /// size of this struct as the caller knows it
     pub struct_size: i64,
-    /// a NURBS_SMOOTHING_ constant; NURBS_SMOOTHING_NONE
+    /// a NURBS_SMOOTHING_ constant; default NURBS_SMOOTHING_NONE
     pub smoothing: i32,
-    /// m, the derivative that is penalised, \>= 1; 2
+    /// m, the order of the derivative that is penalised, \>= 1; default 2
     pub penalty_order: i32,
-    /// the factor, for NURBS_SMOOTHING_LAMBDA, \>= 0; 0
+    /// the factor of the penalty, for NURBS_SMOOTHING_LAMBDA, \>= 0; default 0
     pub lambda: f64,
-    /// for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, \>= 0; 0
+    /// for NURBS_SMOOTHING_DISCREPANCY: largest sum_i w_i |y_i - s(t_i)|^2, \>= 0; default 0
     pub target: f64,
-    /// 1: of several fits take that of the smallest penalty; 0: refuse them
+    /// 1: of several solutions take that of the smallest penalty; 0: refuse them
     pub regularize: i32,
     /// 0
     pub reserved: i32,
-    /// number of equations that have to hold, \>= 0; 0
+    /// number of equations that the fit has to fulfil, \>= 0; default 0
     pub conditions: i64,
-    /// \[conditions\]\[axes\] or NULL: where, packed
+    /// \[conditions\]\[axes\] or NULL: parameters, packed
     pub condition_params: *const f64,
     /// \[conditions\]\[axes\] or NULL for 0: orders of derivatives
     pub condition_orders: *const i32,
     /// \[conditions\]\[dim\] or NULL: points and derivatives, packed
     pub condition_targets: *const f64,
-    /// a NURBS_ROBUST_ constant, for fits of points over given knots; NURBS_ROBUST_NONE
+    /// a NURBS_ROBUST_ constant; others than NURBS_ROBUST_NONE, the default, are for fits of points over
+    /// given knots
     pub robust: i32,
     /// 0
     pub reserved2: i32,
-    /// where outliers begin, in standard deviations, \>= 0; 0: the usual one
+    /// where outliers begin, in standard deviations, \>= 0; 0: the usual width
     pub robust_width: f64,
     /// \[axes\]\[dim\] or NULL: sums of NURBS_TREND_ constants, or 0
     pub shapes: *const i32,
@@ -152,8 +153,8 @@ pub struct nurbs_fit_options {
     pub upper: *const f64,
 }
 
-/// What a fit tells. Set struct_size to sizeof(nurbs_fit_report); all other fields are answers. Fields are
-/// only ever appended. \since 1.1
+/// What is known of a fit. Set struct_size to sizeof(nurbs_fit_report); all other fields are results. Fields
+/// are only ever appended. \since 1.1
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_fit_report {
@@ -169,16 +170,16 @@ pub struct nurbs_fit_report {
     pub rms: f64,
     /// receives the factor of the penalty that was taken
     pub lambda: f64,
-    /// receives the trace of the influence matrix: the parameters that count
+    /// receives the trace of the influence matrix: effective number of parameters
     pub freedom: f64,
-    /// receives the standard deviation of a coordinate of weight 1 by the residuals; of robust fits by their
+    /// receives the standard deviation of a coordinate of weight 1, from residuals; of robust fits from their
     /// median
     pub sigma: f64,
     /// receives |G x + lambda P x - r| / |r| of the normal equations
     pub residual: f64,
     /// receives the largest |y_i - s(t_i)|; NaN from nurbs_fit()
     pub largest: f64,
-    /// receives where that is; -1 from nurbs_fit()
+    /// receives the index of that datum; -1 from nurbs_fit()
     pub largest_index: i64,
     /// receives a sum of NURBS_FIT_ bits
     pub bits: i32,
@@ -188,27 +189,27 @@ pub struct nurbs_fit_report {
     pub outliers: i64,
 }
 
-/// How nurbs_fit_cloud() goes on. nurbs_cloud_options_init() fills in the defaults, which NULL stands for as
+/// Settings of nurbs_fit_cloud(). nurbs_cloud_options_init() fills in the defaults, which NULL stands for as
 /// well. Fields are only ever appended. \since 1.1
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_cloud_options {
     /// size of this struct as the caller knows it
     pub struct_size: i64,
-    /// m, the derivative that is penalised, \>= 1, at most the highest degree; 2
+    /// m, the order of the derivative that is penalised, \>= 1; default 2
     pub penalty_order: i32,
-    /// most searches for the nearest points of all points, \>= 1; 100
+    /// most searches for the nearest points of all points, \>= 1; default 100
     pub rounds: i32,
-    /// the factor of the penalty; below 0: found; -1
+    /// the factor of the penalty; below 0: found; default -1
     pub lambda: f64,
-    /// the factor to begin with, which falls to lambda; below 0: found; -1
+    /// the factor at the start, which falls to lambda; below 0: found; default -1
     pub first_lambda: f64,
-    /// the smallest part of the sum whose loss is worth a step, \>= 0; 1e-3
+    /// the smallest relative decrease of the sum worth a step, \>= 0; default 1e-3
     pub tolerance: f64,
 }
 
-/// What nurbs_fit_cloud() tells. Set struct_size to sizeof(nurbs_cloud_report); all other fields are answers.
-/// Fields are only ever appended. \since 1.1
+/// What is known of a fit by nurbs_fit_cloud(). Set struct_size to sizeof(nurbs_cloud_report); all other
+/// fields are results. Fields are only ever appended. \since 1.1
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_cloud_report {
@@ -224,15 +225,15 @@ pub struct nurbs_cloud_report {
     pub rms: f64,
     /// receives the largest d_i
     pub largest: f64,
-    /// receives where that is
+    /// receives the index of that point
     pub largest_index: i64,
     /// receives the last factor of the penalty
     pub lambda: f64,
-    /// receives a bound of how far a d_i is from the true distance, if it is certified
+    /// receives a bound of the error of a d_i, if its nearest point is certified
     pub noise: f64,
     /// receives the number of points whose nearest point is on an end or an edge
     pub boundary: i64,
-    /// receives the number of points whose nearest point is not proven to be that
+    /// receives the number of points whose nearest point is not proven
     pub uncertified: i64,
     /// receives the number of searches for the nearest points of all points
     pub rounds: i32,
@@ -240,10 +241,10 @@ pub struct nurbs_cloud_report {
     pub bits: i32,
 }
 
-/// What the batches of this chapter are asked as long calls. Set struct_size to sizeof(nurbs_closest_query),
-/// and what is not wanted to 0: fields that are 0 or NULL have their defaults. Those that a function does not
-/// use have to be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most
-/// 4096.
+/// Inputs of the batch functions for closest points in their form as long calls. Set struct_size to
+/// sizeof(nurbs_closest_query), and what is not wanted to 0: fields that are 0 or NULL have their defaults.
+/// Fields that a function does not use must be 0 or NULL (NURBS_ERROR_OPTIONS). Fields are only ever
+/// appended, and struct_size is at most 4096.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_closest_query {
@@ -267,7 +268,7 @@ pub struct nurbs_closest_query {
     pub range: *const f64,
     /// \>= 0
     pub tolerance: f64,
-    /// most pieces looked at for each point, 0 as for nurbs_closest_points()
+    /// most pieces examined for each point, 0 as for nurbs_closest_points()
     pub budget: i64,
     /// NURBS_NAN_POINTS or 0
     pub flags: u32,
@@ -275,9 +276,9 @@ pub struct nurbs_closest_query {
     pub reserved: u32,
 }
 
-/// Where the answers of such a batch go: arrays of the caller, NULL for what is not wanted. Set struct_size
-/// to sizeof(nurbs_closest_answer). What a function does not answer has to be NULL (NURBS_ERROR_OPTIONS).
-/// Fields are only ever appended, and struct_size is at most 4096.
+/// Outputs of the batch functions for closest points in their form as long calls: arrays of the caller, NULL
+/// for what is not wanted. Set struct_size to sizeof(nurbs_closest_answer). Arrays that a function does not
+/// fill must be NULL (NURBS_ERROR_OPTIONS). Fields are only ever appended, and struct_size is at most 4096.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nurbs_closest_answer {
@@ -359,11 +360,11 @@ pub struct nurbs_read_options {
     pub unit: f64,
     /// largest file accepted; 0 means the default, 2^30
     pub max_bytes: i64,
-    /// distances in the unit of the result that count as none, in place of the uncertainty or resolution that
-    /// a file states: the tolerance of faces, and how near to what the file states is what has to be made; 0
-    /// takes what the file states. \since 1.1
+    /// the distance, in the unit of the result, that counts as zero: the tolerance of faces, and how near to
+    /// what the file states is what has to be made; 0 for the uncertainty or resolution that the file states.
+    /// \since 1.1
     pub tolerance: f64,
-    /// sum of NURBS_READ_ constants, 0 for all of them: others are left out without a note. \since 1.1
+    /// sum of NURBS_READ_ constants, 0 for all of them; others are left out without a note. \since 1.1
     pub kinds: u32,
     /// 0
     pub reserved: u32,
@@ -655,24 +656,24 @@ pub const NURBS_BASIS_BSPLINE: i32 = 3;
 // --- Rules for parameters, for nurbs_parametrize()
 /// equal steps
 pub const NURBS_PARAMS_UNIFORM: i32 = 0;
-/// steps as long as the chords
+/// steps in proportion to the chords
 pub const NURBS_PARAMS_CHORD: i32 = 1;
-/// their square roots (Lee 1989)
+/// steps in proportion to the square roots of the chords (Lee 1989)
 pub const NURBS_PARAMS_CENTRIPETAL: i32 = 2;
-/// a power of them
+/// steps in proportion to a power of the chords
 pub const NURBS_PARAMS_POWER: i32 = 3;
-/// chords that count for more where the polygon turns
+/// steps in proportion to the chords, longer where the polygon turns
 pub const NURBS_PARAMS_FOLEY_NIELSON: i32 = 4;
 
 // --- Ends of an interpolating spline, for nurbs_interpolate()
-/// the parameters next to the end are no knots
+/// the parameters next to the end are not knots
 pub const NURBS_ENDS_NOT_A_KNOT: i32 = 0;
 /// derivatives of orders (degree + 1) / 2 to degree - 1 vanish; odd degrees
 pub const NURBS_ENDS_NATURAL: i32 = 1;
-/// knots averaged from the parameters, nurbs_knots_averaged(); both ends
+/// knots averaged from the parameters (nurbs_knots_averaged()); both ends
 pub const NURBS_ENDS_FREE: i32 = 2;
 
-// --- Orders of derivatives that are no number, for nurbs_curve_interpolate()
+// --- Special orders of derivatives, for nurbs_curve_interpolate()
 /// the first derivative has the direction of the target, of any length
 pub const NURBS_ORDER_DIRECTION: i32 = -1;
 
@@ -685,15 +686,15 @@ pub const NURBS_SMOOTHING_LAMBDA: i32 = 1;
 pub const NURBS_SMOOTHING_GCV: i32 = 2;
 /// by restricted maximum likelihood (Wood 2011)
 pub const NURBS_SMOOTHING_REML: i32 = 3;
-/// as smooth as a sum of squares allows (Reinsch 1967)
+/// as smooth as a given sum of squares allows (Reinsch 1967)
 pub const NURBS_SMOOTHING_DISCREPANCY: i32 = 4;
 
-// --- What outliers are worth, for nurbs_fit_options
-/// as much as all data
+// --- How much outliers count, for nurbs_fit_options
+/// as much as other data
 pub const NURBS_ROBUST_NONE: i32 = 0;
-/// min(1, 1 / x) of their weight (Huber 1964)
+/// their weight times min(1, 1 / x) (Huber 1964)
 pub const NURBS_ROBUST_HUBER: i32 = 1;
-/// (1 - x^2)^2 of it for x \< 1, nothing beyond (Beaton & Tukey 1974)
+/// their weight times (1 - x^2)^2 for x \< 1, else 0 (Beaton & Tukey 1974)
 pub const NURBS_ROBUST_TUKEY: i32 = 2;
 
 // --- Shapes along an axis, for nurbs_fit_options; they can be added
@@ -706,22 +707,22 @@ pub const NURBS_TREND_CONVEX: i32 = 0x04;
 /// the first derivative does not rise
 pub const NURBS_TREND_CONCAVE: i32 = 0x08;
 
-// --- What nurbs_fit_report tells besides
-/// no smoothing leaves as little as the target asks for
+// --- Bits of nurbs_fit_report
+/// the target, or the tolerance, is not reached
 pub const NURBS_FIT_TARGET_MISSED: i32 = 0x01;
-/// rounds of a robust fit, or of a shape, still changed it
+/// the last round of a robust fit, or of a shape, still changed it
 pub const NURBS_FIT_NOT_CONVERGED: i32 = 0x02;
 
-// --- What nurbs_cloud_report tells besides
-/// the rounds, or the limit of work, ended while the sum still fell
+// --- Bits of nurbs_cloud_report
+/// the rounds, or the limit of work, ended while the sum was still falling
 pub const NURBS_CLOUD_NOT_CONVERGED: i32 = 0x01;
 
 // --- Rules for tangents, for nurbs_tangents()
 /// the slope between the neighbours
 pub const NURBS_TANGENTS_CATMULL_ROM: i32 = 0;
-/// of the parabola through a point and its neighbours
+/// the slope of the parabola through a point and its neighbours
 pub const NURBS_TANGENTS_BESSEL: i32 = 1;
-/// chords by how little they change (Akima 1970)
+/// mean of both slopes, weighted by their steadiness (Akima 1970)
 pub const NURBS_TANGENTS_AKIMA: i32 = 2;
 /// each coordinate rises and falls as the data do (Fritsch & Butland 1984)
 pub const NURBS_TANGENTS_MONOTONE: i32 = 3;
@@ -871,7 +872,7 @@ pub const NURBS_EXTREMUM_MAXIMUM: u32 = 0x02;
 pub const NURBS_EXTREMUM_SADDLE: u32 = 0x04;
 /// f is constant in the range
 pub const NURBS_EXTREMUM_PLATEAU: u32 = 0x08;
-/// a range in which it is left open what there is
+/// a range in which it is not decided what there is
 pub const NURBS_EXTREMUM_UNDECIDED: u32 = 0x10;
 
 // --- Convexity of a curve in the plane
@@ -975,11 +976,11 @@ pub const NURBS_CONSTRAIN_NORMAL: i32 = 2;
 pub const NURBS_CONSTRAIN_CURVATURE: i32 = 3;
 
 // --- What files are read for
-/// curves: of lists all, also those of edges; of models those that no face or edge consists of
+/// curves: in lists all, also those of edges; in models those that are part of no face or edge
 pub const NURBS_READ_CURVES: u32 = 0x1;
-/// surfaces: of lists all, also those of faces; of models those that no face consists of (STEP)
+/// surfaces: in lists all, also those of faces; in models those that are part of no face (STEP)
 pub const NURBS_READ_SURFACES: u32 = 0x2;
-/// faces of models with their edges and vertices, and other edges; of IGES surfaces alone, too
+/// faces of models with their edges and vertices, and other edges; in IGES also surfaces alone
 pub const NURBS_READ_FACES: u32 = 0x4;
 
 // --- Kinds of handles
@@ -1828,7 +1829,7 @@ extern "C" {
     /// one of them may have dimension 1 and multiplies all components of the other; or the dot or cross
     /// product.
     pub fn nurbs_product(a: *const nurbs, b: *const nurbs, flags: u32, out: *mut *mut nurbs) -> nurbs_status;
-    /// nurbs_product() as a call that can be watched and ended.
+    /// nurbs_product() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_product_with(
@@ -1841,7 +1842,7 @@ extern "C" {
     /// The curve g(f(t)): a curve g over another parameter, or the curve in space that a curve f in the
     /// parameter space of a surface or volume g traces on it.
     pub fn nurbs_compose(g: *const nurbs, f: *const nurbs, out: *mut *mut nurbs) -> nurbs_status;
-    /// nurbs_compose() as a call that can be watched and ended.
+    /// nurbs_compose() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_compose_with(
@@ -1915,9 +1916,7 @@ extern "C" {
     /// coefficient i of `to` is sum_j M_ij \* coefficient j of `from`.
     pub fn nurbs_basis_matrix(from: i32, to: i32, degree: i32, size: i64, matrix: *mut f64) -> nurbs_status;
     // --- Interpolation
-    /// Parameters of points from the distances between them: along each axis from 0 to 1, steps in proportion
-    /// to lengths d_i that the rule makes of the chords c_i = |P_(i+1) - P_i|: 1, c_i, sqrt(c_i),
-    /// c_i^exponent, or for NURBS_PARAMS_FOLEY_NIELSON.
+    /// Parameters of points from the distances between them.
     pub fn nurbs_parametrize(
         axes: i32,
         counts: *const i64,
@@ -1930,8 +1929,7 @@ extern "C" {
         flags: u32,
         params: *mut f64,
     ) -> nurbs_status;
-    /// Parameters that do not depend on the points: where the basis functions over the knots of
-    /// nurbs_knots_open_uniform() from 0 to 1 are largest.
+    /// Parameters that do not depend on the points: where the basis functions are largest.
     pub fn nurbs_params_universal(degree: i32, count: i64, params: *mut f64) -> nurbs_status;
     /// The spline of given degrees through points on a grid of parameters.
     ///
@@ -1950,7 +1948,7 @@ extern "C" {
         residual: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The spline over given knots through points on a grid of parameters: as many control points as data.
+    /// The spline over given knots through points on a grid of parameters.
     pub fn nurbs_interpolate_over_knots(
         axes: i32,
         degrees: *const i32,
@@ -1965,8 +1963,7 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The spline through points and given derivatives at the ends of axes: a grid in which layers of
-    /// derivatives lie beside the layers of points at the first and last parameters of an axis.
+    /// The spline through points on a grid with given derivatives at the ends of axes.
     ///
     /// May be null: `orders`, `ends`.
     pub fn nurbs_interpolate_derivatives(
@@ -1983,9 +1980,7 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The curve of given points and derivatives: derivative orders\[i\] at params\[i\] is target i,
-    /// whichever orders in whichever places, as long as they determine a curve (Hermite's problem if each
-    /// parameter has all orders up to its highest one, else Birkhoff's).
+    /// The curve with given points and derivatives, of any orders at any parameters.
     ///
     /// May be null: `orders`, `knots`.
     pub fn nurbs_curve_interpolate(
@@ -2002,9 +1997,7 @@ extern "C" {
         flags: u32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The lengths of tangents of which nurbs_curve_interpolate() is told the directions: factors that make
-    /// targets of all conditions, so that the curve of these, with NURBS_ORDER_DIRECTION replaced by 1, is
-    /// the same, bit for bit.
+    /// The lengths of the tangents of which nurbs_curve_interpolate() is given only the directions.
     ///
     /// May be null: `orders`, `knots`.
     pub fn nurbs_tangent_lengths(
@@ -2021,8 +2014,7 @@ extern "C" {
         flags: u32,
         lengths: *mut f64,
     ) -> nurbs_status;
-    /// Derivatives at the points of a curve, each from a few points near it, so that nurbs_create_hermite()
-    /// makes a C^1 cubic that changes only near a point that moves.
+    /// Derivatives at the points of a curve, each from a few points near it.
     pub fn nurbs_tangents(
         rule: i32,
         n: i64,
@@ -2039,7 +2031,7 @@ extern "C" {
     // --- Fitting
     /// Fills a struct with zeros and its size.
     pub fn nurbs_data_init(data: *mut nurbs_data, struct_size: i64) -> nurbs_status;
-    /// Statistics of no data, which say what statistics are to be about.
+    /// Statistics of no data, for given degrees, breaks, dimension and scales.
     pub fn nurbs_statistics_create(
         axes: i32,
         degrees: *const i32,
@@ -2051,14 +2043,13 @@ extern "C" {
         weight_scale: f64,
         out: *mut *mut nurbs_statistics,
     ) -> nurbs_status;
-    /// Statistics with more data: those of the handle and those of the data, added as
-    /// nurbs_statistics_merge() does.
+    /// Statistics with more data: the sum of given statistics and those of the data.
     pub fn nurbs_statistics_add(
         statistics: *const nurbs_statistics,
         data: *const nurbs_data,
         out: *mut *mut nurbs_statistics,
     ) -> nurbs_status;
-    /// nurbs_statistics_add() as a call that can be watched and ended.
+    /// nurbs_statistics_add() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_statistics_add_with(
@@ -2067,7 +2058,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs_statistics,
     ) -> nurbs_status;
-    /// The sum of statistics, some of them subtracted.
+    /// The sum of statistics, some of which may be subtracted.
     ///
     /// May be null: `signs`.
     pub fn nurbs_statistics_merge(
@@ -2096,8 +2087,7 @@ extern "C" {
         cells: *mut i64,
         weight: *mut f64,
     ) -> nurbs_status;
-    /// Statistics as bytes, to be kept or sent: the same on every machine for the same data, whatever their
-    /// order.
+    /// Statistics as bytes, to be kept or sent.
     ///
     /// May be null: `bytes`, `length`.
     pub fn nurbs_statistics_to_bytes(
@@ -2128,7 +2118,7 @@ extern "C" {
         report: *mut nurbs_fit_report,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_fit() as a call that can be watched and ended.
+    /// nurbs_fit() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `report`, `call`.
     pub fn nurbs_fit_with(
@@ -2143,9 +2133,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The spline over given knots that is closest to data: nurbs_fit() of their statistics, with the knots
-    /// as breaks and the largest value and weight as scales, in memory that does not depend on the number of
-    /// data.
+    /// The spline over given knots that is closest to data.
     ///
     /// May be null: `options`, `report`.
     pub fn nurbs_fit_points(
@@ -2159,7 +2147,7 @@ extern "C" {
         report: *mut nurbs_fit_report,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_fit_points() as a call that can be watched and ended.
+    /// nurbs_fit_points() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `report`, `call`.
     pub fn nurbs_fit_points_with(
@@ -2174,9 +2162,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// Pointwise standard errors of a fit: sigma sqrt(b(t) (G + lambda P)^-1 b(t)) for the functions b, the
-    /// matrix G of the data and P of the penalty: what each coordinate of the fit may be off, if those of
-    /// data of weight w have the standard deviation sigma / sqrt(w).
+    /// Pointwise standard errors of a fit.
     pub fn nurbs_fit_errors(
         statistics: *const nurbs_statistics,
         g: *const nurbs,
@@ -2190,7 +2176,7 @@ extern "C" {
         flags: u32,
         errors: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_fit_errors() as a call that can be watched and ended.
+    /// nurbs_fit_errors() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_fit_errors_with(
@@ -2207,10 +2193,7 @@ extern "C" {
         errors: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// What each of some factors of the penalty leads to, as it is compared by NURBS_SMOOTHING_GCV and _REML:
-    /// with n data, N control points and M of them that no penalty determines, R = sum_i w_i |y_i - s(t_i)|^2
-    /// and the trace t of the influence matrix, GCV is n R / (n - t)^2, and REML (n - M) log(R + lambda P) +
-    /// log det(G + lambda P) - (N - M) log lambda.
+    /// What NURBS_SMOOTHING_GCV and NURBS_SMOOTHING_REML compare, for each of some factors of the penalty.
     pub fn nurbs_fit_criteria(
         statistics: *const nurbs_statistics,
         g: *const nurbs,
@@ -2219,7 +2202,7 @@ extern "C" {
         lambdas: *const f64,
         values: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_fit_criteria() as a call that can be watched and ended.
+    /// nurbs_fit_criteria() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_fit_criteria_with(
@@ -2231,7 +2214,7 @@ extern "C" {
         values: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// A spline with few control points that no datum is farther from than a tolerance.
+    /// A spline with few control points from which no datum is farther than a tolerance.
     ///
     /// May be null: `domain`, `options`, `report`.
     pub fn nurbs_fit_tolerance(
@@ -2245,7 +2228,7 @@ extern "C" {
         report: *mut nurbs_fit_report,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_fit_tolerance() as a call that can be watched and ended.
+    /// nurbs_fit_tolerance() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `domain`, `options`, `report`, `call`.
     pub fn nurbs_fit_tolerance_with(
@@ -2260,8 +2243,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// A polynomial spline of given degrees with few control points that is proven to be within a tolerance
-    /// of another spline at all parameters: rational by polynomial, high degree by low, many knots by few.
+    /// A polynomial spline with few control points, proven to be within a tolerance of another spline.
     ///
     /// May be null: `degrees`, `bound`.
     pub fn nurbs_approximate(
@@ -2272,7 +2254,7 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_approximate() as a call that can be watched and ended.
+    /// nurbs_approximate() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `degrees`, `bound`, `call`.
     pub fn nurbs_approximate_with(
@@ -2284,9 +2266,7 @@ extern "C" {
         call: *const nurbs_call_options,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// A spline from which nurbs_fit_cloud() can begin, found from points without parameters: linear along
-    /// each axis in one of the principal directions of the points, from their mean as far as they reach, axis
-    /// 0 in the first one.
+    /// A spline from which nurbs_fit_cloud() can begin, found from points without parameters.
     pub fn nurbs_cloud_start(
         axes: i32,
         degrees: *const i32,
@@ -2303,8 +2283,7 @@ extern "C" {
     ) -> nurbs_status;
     /// Fills an options struct with the defaults.
     pub fn nurbs_cloud_options_init(options: *mut nurbs_cloud_options, struct_size: i64) -> nurbs_status;
-    /// The spline, over the knots of a start, that is closest to points without parameters: a minimum, which
-    /// is reached from the start, of.
+    /// The spline, over the knots of a start, that is closest to points without parameters.
     ///
     /// May be null: `weights`, `options`, `report`.
     pub fn nurbs_fit_cloud(
@@ -2319,7 +2298,7 @@ extern "C" {
         report: *mut nurbs_cloud_report,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_fit_cloud() as a call that can be watched and ended.
+    /// nurbs_fit_cloud() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `weights`, `options`, `report`, `call`.
     pub fn nurbs_fit_cloud_with(
@@ -2411,7 +2390,7 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_reduce_knots() as a call that can be watched and ended.
+    /// nurbs_reduce_knots() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `bound`, `call`.
     pub fn nurbs_reduce_knots_with(
@@ -2432,7 +2411,7 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_reduce_degree() as a call that can be watched and ended.
+    /// nurbs_reduce_degree() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `bound`, `call`.
     pub fn nurbs_reduce_degree_with(
@@ -2454,7 +2433,7 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_simplify() as a call that can be watched and ended.
+    /// nurbs_simplify() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `bound`, `call`.
     pub fn nurbs_simplify_with(
@@ -2995,10 +2974,7 @@ extern "C" {
         out: *mut *mut nurbs,
     ) -> nurbs_status;
     // --- Recognition
-    /// Whether a curve is a line, circle or conic, or a surface a plane, sphere, cylinder, cone or torus: of
-    /// a curve the first of point, line, circle, parabola, ellipse and hyperbola, of a surface the first of
-    /// point, line (both since 1.1), plane, sphere, cylinder, cone and torus, from which no point of g is
-    /// farther than the tolerance.
+    /// Whether a curve is a line or a conic, or a surface a plane, sphere, cylinder, cone or torus.
     ///
     /// May be null: `placement`, `sizes`, `deviation`.
     pub fn nurbs_recognize(
@@ -3009,7 +2985,7 @@ extern "C" {
         sizes: *mut f64,
         deviation: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_recognize() as a call that can be watched and ended.
+    /// nurbs_recognize() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `placement`, `sizes`, `deviation`, `call`.
     pub fn nurbs_recognize_with(
@@ -3022,8 +2998,7 @@ extern "C" {
         call: *const nurbs_call_options,
     ) -> nurbs_status;
     // --- Distances and closest points
-    /// The points of a spline that are nearest to given points: parameters, points and distances, each with
-    /// its status.
+    /// The points of a spline that are nearest to given points.
     ///
     /// May be null: `range`, `params`, `feet`, `distances`, `status`.
     pub fn nurbs_closest_points(
@@ -3046,7 +3021,7 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
-    /// nurbs_closest_points() as a call that can be watched and ended.
+    /// nurbs_closest_points() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_closest_points_with(
@@ -3055,7 +3030,7 @@ extern "C" {
         answer: *const nurbs_closest_answer,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The points of a spline that are farthest from given points; otherwise as nurbs_closest_points().
+    /// The points of a spline that are farthest from given points.
     ///
     /// May be null: `range`, `params`, `feet`, `distances`, `status`.
     pub fn nurbs_farthest_points(
@@ -3078,7 +3053,7 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
-    /// nurbs_farthest_points() as a call that can be watched and ended.
+    /// nurbs_farthest_points() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_farthest_points_with(
@@ -3087,8 +3062,7 @@ extern "C" {
         answer: *const nurbs_closest_answer,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Local minima of the distance to given points, each the one that a descent from a guess comes to:
-    /// Newton's method with a trust region, box-constrained to the domain, across knots.
+    /// Local minima of the distance from given points, each reached by a descent from a guess.
     ///
     /// May be null: `params`, `feet`, `distances`, `status`.
     pub fn nurbs_closest_local(
@@ -3111,7 +3085,7 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
-    /// nurbs_closest_local() as a call that can be watched and ended.
+    /// nurbs_closest_local() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_closest_local_with(
@@ -3120,8 +3094,7 @@ extern "C" {
         answer: *const nurbs_closest_answer,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// All points of a spline whose distance to a point exceeds the smallest one by at most a tolerance and
-    /// that are local minima of it.
+    /// All local minima of the distance from a point that are within a tolerance of the smallest.
     ///
     /// May be null: `range`, `params`, `distances`, `count`, `status`.
     pub fn nurbs_closest_all(
@@ -3136,7 +3109,7 @@ extern "C" {
         count: *mut i64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_closest_all() as a call that can be watched and ended.
+    /// nurbs_closest_all() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `range`, `params`, `distances`, `count`, `status`, `call`.
     pub fn nurbs_closest_all_with(
@@ -3152,8 +3125,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// All critical points of the distance from a point: where x - C is perpendicular to the tangents of g,
-    /// and at ends and kinks of a curve, where the distance has a minimum or maximum.
+    /// All critical points of the distance from a point.
     ///
     /// May be null: `range`, `params`, `distances`, `kinds`, `count`, `status`.
     pub fn nurbs_critical_points(
@@ -3169,7 +3141,7 @@ extern "C" {
         count: *mut i64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_critical_points() as a call that can be watched and ended.
+    /// nurbs_critical_points() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `range`, `params`, `distances`, `kinds`, `count`, `status`, `call`.
     pub fn nurbs_critical_points_with(
@@ -3186,8 +3158,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Signed distances of points in the plane from a curve: positive to the left of its direction, so inside
-    /// a closed curve that runs counterclockwise without crossing itself.
+    /// Signed distances of points in the plane from a curve: positive to the left of its direction.
     ///
     /// May be null: `params`, `status`.
     pub fn nurbs_curve_signed_distances(
@@ -3205,7 +3176,7 @@ extern "C" {
         status: *mut i32,
         flags: u32,
     ) -> nurbs_status;
-    /// nurbs_curve_signed_distances() as a call that can be watched and ended.
+    /// nurbs_curve_signed_distances() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_curve_signed_distances_with(
@@ -3214,9 +3185,7 @@ extern "C" {
         answer: *const nurbs_closest_answer,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The smallest distance between two splines, of any number of axes each, enclosed: at_least \<= distance
-    /// of the nearest points \<= at_most, which is the distance of the two points returned; they differ by at
-    /// most the tolerance and rounding unless the budget ends.
+    /// Proven bounds of the smallest distance between two splines, of any number of axes each.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
     pub fn nurbs_distance(
@@ -3230,7 +3199,7 @@ extern "C" {
         params_b: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_distance() as a call that can be watched and ended.
+    /// nurbs_distance() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
     pub fn nurbs_distance_with(
@@ -3245,9 +3214,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The Hausdorff distances of two splines as sets of points, whatever their parameters: how far the point
-    /// of a that is farthest from b is from it, and the other way round; the larger of the two is the
-    /// symmetric distance.
+    /// Proven bounds of the Hausdorff distances of two splines as sets of points.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
     pub fn nurbs_hausdorff_distance(
@@ -3261,7 +3228,7 @@ extern "C" {
         params_b: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_hausdorff_distance() as a call that can be watched and ended.
+    /// nurbs_hausdorff_distance() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
     pub fn nurbs_hausdorff_distance_with(
@@ -3277,7 +3244,7 @@ extern "C" {
         call: *const nurbs_call_options,
     ) -> nurbs_status;
     // --- Lengths, areas and moments
-    /// Length of a curve or of a part of it.
+    /// The length of a curve or of a part of it.
     ///
     /// May be null: `range`, `error`.
     pub fn nurbs_curve_length(
@@ -3287,7 +3254,7 @@ extern "C" {
         length: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_curve_length() as a call that can be watched and ended.
+    /// nurbs_curve_length() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `range`, `error`, `call`.
     pub fn nurbs_curve_length_with(
@@ -3308,7 +3275,7 @@ extern "C" {
         lengths: *mut f64,
         length_stride: i64,
     ) -> nurbs_status;
-    /// nurbs_curve_lengths() as a call that can be watched and ended.
+    /// nurbs_curve_lengths() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_curve_lengths_with(
@@ -3332,7 +3299,7 @@ extern "C" {
         param_stride: i64,
         flags: u32,
     ) -> nurbs_status;
-    /// nurbs_curve_params_at_lengths() as a call that can be watched and ended.
+    /// nurbs_curve_params_at_lengths() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_curve_params_at_lengths_with(
@@ -3358,7 +3325,7 @@ extern "C" {
         params: *mut f64,
         size: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_curve_divide() as a call that can be watched and ended.
+    /// nurbs_curve_divide() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `range`, `size`, `call`.
     pub fn nurbs_curve_divide_with(
@@ -3371,7 +3338,7 @@ extern "C" {
         size: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Area of a surface, in any dimension.
+    /// The area of a surface or of a part of it, in any dimension.
     ///
     /// May be null: `range`, `error`.
     pub fn nurbs_surface_area(
@@ -3381,7 +3348,7 @@ extern "C" {
         area: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_surface_area() as a call that can be watched and ended.
+    /// nurbs_surface_area() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `range`, `error`, `call`.
     pub fn nurbs_surface_area_with(
@@ -3392,8 +3359,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Content, centroid and inertia of a spline itself: of a curve as a wire, of a surface as a sheet, of a
-    /// volume as a body (the integral of |det J|, J its derivatives).
+    /// Content, centroid and inertia of a curve as a wire, a surface as a sheet, or a volume as a body.
     ///
     /// May be null: `centroid`, `inertia`, `error`.
     pub fn nurbs_moments(
@@ -3404,7 +3370,7 @@ extern "C" {
         inertia: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_moments() as a call that can be watched and ended.
+    /// nurbs_moments() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `centroid`, `inertia`, `error`, `call`.
     pub fn nurbs_moments_with(
@@ -3416,8 +3382,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Area, centroid and inertia of the region of the plane that closed chains of curves enclose, by Green's
-    /// theorem: 1/2 integral of x dy - y dx.
+    /// Area, centroid and inertia of the region of the plane that closed chains of curves enclose.
     ///
     /// May be null: `centroid`, `inertia`, `error`.
     pub fn nurbs_enclosed_area(
@@ -3430,7 +3395,7 @@ extern "C" {
         inertia: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_enclosed_area() as a call that can be watched and ended.
+    /// nurbs_enclosed_area() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `centroid`, `inertia`, `error`, `call`.
     pub fn nurbs_enclosed_area_with(
@@ -3444,8 +3409,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Volume, centroid and inertia of the body that surfaces enclose, by the divergence theorem: 1/3
-    /// integral of S . (S_u x S_v).
+    /// Volume, centroid and inertia of the body that surfaces enclose.
     ///
     /// May be null: `centroid`, `inertia`, `openness`, `error`.
     pub fn nurbs_enclosed_volume(
@@ -3458,7 +3422,7 @@ extern "C" {
         openness: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_enclosed_volume() as a call that can be watched and ended.
+    /// nurbs_enclosed_volume() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `centroid`, `inertia`, `openness`, `error`, `call`.
     pub fn nurbs_enclosed_volume_with(
@@ -3472,9 +3436,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Points and weights for integrals of any function over a spline: tensor products of rules of Gauss and
-    /// Legendre on all spans that are not empty, exact along each axis for polynomials of degree 2 nodes - 1
-    /// on each span.
+    /// Points and weights for integrals of any function over a spline.
     ///
     /// May be null: `params`, `weights`, `measures`, `count`.
     pub fn nurbs_quadrature(
@@ -3487,8 +3449,7 @@ extern "C" {
         count: *mut i64,
     ) -> nurbs_status;
     // --- Boxes and cones
-    /// An axis-aligned box that contains a spline, and all points that evaluation gives of it (except
-    /// homogeneous ones, whose rounding has no such bound).
+    /// An axis-aligned box that contains a spline, and all points that evaluation gives of it.
     ///
     /// May be null: `range`, `gap`.
     pub fn nurbs_box(
@@ -3499,8 +3460,7 @@ extern "C" {
         upper: *mut f64,
         gap: *mut f64,
     ) -> nurbs_status;
-    /// A box with axes of its own that contains a spline: { center + sum_k x_k axes\[k\], |x_k| \<= half\[k\]
-    /// }.
+    /// A box with axes of its own that contains a spline.
     pub fn nurbs_oriented_box(
         g: *const nurbs,
         tolerance: f64,
@@ -3508,8 +3468,7 @@ extern "C" {
         axes: *mut f64,
         half: *mut f64,
     ) -> nurbs_status;
-    /// A cone that contains the directions of all derivatives along an axis, and so those at kinks; zero
-    /// vectors have none.
+    /// A cone that contains the directions of all derivatives along an axis.
     ///
     /// May be null: `range`.
     pub fn nurbs_tangent_cone(
@@ -3556,7 +3515,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_curve_features() as a call that can be watched and ended.
+    /// nurbs_curve_features() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `found`, `values`, `count`, `complete`, `call`.
     pub fn nurbs_curve_features_with(
@@ -3584,7 +3543,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_extrema() as a call that can be watched and ended.
+    /// nurbs_extrema() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `values`, `found`, `boxes`, `count`, `complete`, `call`.
     pub fn nurbs_extrema_with(
@@ -3599,8 +3558,7 @@ extern "C" {
         complete: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The pieces of a curve on which it runs one way along a direction: direction . C(t) rises, falls or, to
-    /// rounding, stays on whole Bezier pieces.
+    /// The pieces of a curve on which it runs one way along a direction.
     ///
     /// May be null: `starts`, `signs`, `count`, `complete`.
     pub fn nurbs_curve_monotone_pieces(
@@ -3612,9 +3570,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// Whether a curve in the plane is convex: turns one way only and by at most a full turn, kinks included,
-    /// to rounding: pieces count as straight, and places as not turning, where double precision cannot
-    /// decide.
+    /// Whether a curve in the plane is convex: whether it turns one way only, and by at most a full turn.
     pub fn nurbs_curve_convexity(g: *const nurbs, convexity: *mut i32) -> nurbs_status;
     /// How far a spline is from a straight line: a line near the best one, and a proven bound.
     ///
@@ -3645,8 +3601,7 @@ extern "C" {
         collapsed: *mut i32,
         sizes: *mut f64,
     ) -> nurbs_status;
-    /// Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0 (the two first derivatives are
-    /// parallel, or one of them vanishes).
+    /// Places where a curve or surface is singular: C' = 0, or S_u x S_v = 0.
     ///
     /// May be null: `params`, `boxes`, `count`, `complete`.
     pub fn nurbs_singular_points(
@@ -3658,9 +3613,7 @@ extern "C" {
         count: *mut i64,
         complete: *mut i32,
     ) -> nurbs_status;
-    /// Whether a surface or volume folds over: whether the sign of J changes, J being the determinant of the
-    /// first derivatives of a surface in the plane or a volume in space, of a surface in space (S_u x S_v) .
-    /// reference.
+    /// Whether a surface or volume folds over: whether the sign of J changes.
     ///
     /// May be null: `reference`, `positive`, `negative`.
     pub fn nurbs_fold_test(
@@ -3670,7 +3623,7 @@ extern "C" {
         positive: *mut f64,
         negative: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_fold_test() as a call that can be watched and ended.
+    /// nurbs_fold_test() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `reference`, `positive`, `negative`, `call`.
     pub fn nurbs_fold_test_with(
@@ -3681,8 +3634,7 @@ extern "C" {
         negative: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// nurbs_fold_test() of each polynomial piece by itself, in the order of nurbs_bezier_pieces() and
-    /// nurbs_bezier_cells(), with one reference for all of them.
+    /// nurbs_fold_test() of each polynomial piece by itself.
     ///
     /// May be null: `reference`, `folds`, `signs`, `count`.
     pub fn nurbs_fold_pieces(
@@ -3693,7 +3645,7 @@ extern "C" {
         signs: *mut i32,
         count: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_fold_pieces() as a call that can be watched and ended.
+    /// nurbs_fold_pieces() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `reference`, `folds`, `signs`, `count`, `call`.
     pub fn nurbs_fold_pieces_with(
@@ -4451,7 +4403,7 @@ extern "C" {
         optimality: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_constrain() as a call that can be watched and ended.
+    /// nurbs_constrain() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `report`, `call`.
     pub fn nurbs_constrain_with(
@@ -4505,7 +4457,7 @@ extern "C" {
         proven: *mut i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_bend() as a call that can be watched and ended.
+    /// nurbs_bend() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `deviation`, `proven`, `call`.
     pub fn nurbs_bend_with(
@@ -4536,7 +4488,7 @@ extern "C" {
         proven: *mut i32,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_free_form_deform() as a call that can be watched and ended.
+    /// nurbs_free_form_deform() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `deviation`, `proven`, `call`.
     pub fn nurbs_free_form_deform_with(
@@ -4565,7 +4517,7 @@ extern "C" {
         bound: *mut f64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// nurbs_fair() as a call that can be watched and ended.
+    /// nurbs_fair() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `keep`, `energies`, `bound`, `call`.
     pub fn nurbs_fair_with(
@@ -4724,7 +4676,7 @@ extern "C" {
         flags: u32,
     ) -> nurbs_status;
     // --- Trimmed faces
-    /// A face of a surface and loops of curves.
+    /// A face made of a surface and loops of curves.
     ///
     /// May be null: `sizes`, `curves`, `edges`, `keys`, `gaps`.
     pub fn nurbs_face_create(
@@ -4739,7 +4691,7 @@ extern "C" {
         gaps: *mut f64,
         out: *mut *mut nurbs_face,
     ) -> nurbs_status;
-    /// nurbs_face_create() as a call that can be watched and ended.
+    /// nurbs_face_create() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `sizes`, `curves`, `edges`, `keys`, `gaps`, `call`.
     pub fn nurbs_face_create_with(
@@ -4772,15 +4724,14 @@ extern "C" {
         sizes: *mut i64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// A curve of a loop in the domain of the surface, as it runs with the inside to its left.
+    /// A curve of a loop in the domain of the surface, running with the inside to its left.
     pub fn nurbs_face_curve(
         face: *const nurbs_face,
         r#loop: i64,
         index: i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// The edge in space that belongs to a curve of a loop: the one that was given, in its own direction, or
-    /// one that is made.
+    /// The edge in space that belongs to a curve of a loop.
     ///
     /// May be null: `key`.
     pub fn nurbs_face_edge(
@@ -4790,8 +4741,7 @@ extern "C" {
         key: *mut i64,
         out: *mut *mut nurbs,
     ) -> nurbs_status;
-    /// How far a curve of a loop, mapped by the surface, and its edge are apart: at equal parameters if that
-    /// is within the tolerance of the face, else from each to the nearest point of the other.
+    /// How far a curve of a loop, mapped by the surface, and its edge are apart.
     ///
     /// May be null: `proven`.
     pub fn nurbs_face_deviation(
@@ -4803,7 +4753,7 @@ extern "C" {
     ) -> nurbs_status;
     /// The tolerance that a face was created with.
     pub fn nurbs_face_tolerance(face: *const nurbs_face, tolerance: *mut f64) -> nurbs_status;
-    /// On which side of the boundary of a face parameters lie.
+    /// On which side of the boundary of a face places of the domain lie.
     pub fn nurbs_face_classify(
         face: *const nurbs_face,
         n: i64,
@@ -4813,7 +4763,7 @@ extern "C" {
         tolerance: f64,
         sides: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_face_classify() as a call that can be watched and ended.
+    /// nurbs_face_classify() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `call`.
     pub fn nurbs_face_classify_with(
@@ -4826,8 +4776,7 @@ extern "C" {
         sides: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Where rays x = origin + t direction, t \>= 0, meet a face first: hits of its surface, as
-    /// nurbs_surface_rays() finds them, that lie inside of its loops for certain.
+    /// The first hits of rays x = origin + t direction, t \>= 0, with a face.
     ///
     /// May be null: `params`, `distances`, `status`.
     pub fn nurbs_face_rays(
@@ -4843,7 +4792,7 @@ extern "C" {
         distances: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_face_rays() as a call that can be watched and ended.
+    /// nurbs_face_rays() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `distances`, `status`, `call`.
     pub fn nurbs_face_rays_with(
@@ -4860,9 +4809,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The points of a face that are nearest to given points: that of its surface, if it lies inside; else
-    /// the nearest one of the boundary, or of those local minima of the distance from the surface that lie
-    /// inside and are nearer.
+    /// The points of a face that are nearest to given points.
     ///
     /// May be null: `params`, `feet`, `distances`, `status`.
     pub fn nurbs_face_closest_points(
@@ -4877,7 +4824,7 @@ extern "C" {
         distances: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_face_closest_points() as a call that can be watched and ended.
+    /// nurbs_face_closest_points() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `feet`, `distances`, `status`, `call`.
     pub fn nurbs_face_closest_points_with(
@@ -4893,9 +4840,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The smallest distance between two faces, enclosed, as that of splines (nurbs_distance()): at_least \<=
-    /// distance of the nearest points \<= at_most, which is the distance of the two points returned; they
-    /// differ by at most the tolerance and rounding unless the work ends.
+    /// Proven bounds of the smallest distance between two faces.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
     pub fn nurbs_face_distance(
@@ -4908,7 +4853,7 @@ extern "C" {
         params_b: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_face_distance() as a call that can be watched and ended.
+    /// nurbs_face_distance() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
     pub fn nurbs_face_distance_with(
@@ -4922,9 +4867,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// The Hausdorff distances of two faces: how far the point of a that is farthest from b is from it, and
-    /// the other way round, as of splines (nurbs_hausdorff_distance()); the larger of the two is the
-    /// symmetric distance.
+    /// Proven bounds of the Hausdorff distances of two faces.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`.
     pub fn nurbs_face_hausdorff_distance(
@@ -4937,7 +4880,7 @@ extern "C" {
         params_b: *mut f64,
         status: *mut i32,
     ) -> nurbs_status;
-    /// nurbs_face_hausdorff_distance() as a call that can be watched and ended.
+    /// nurbs_face_hausdorff_distance() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `at_least`, `at_most`, `params_a`, `params_b`, `status`, `call`.
     pub fn nurbs_face_hausdorff_distance_with(
@@ -4951,8 +4894,7 @@ extern "C" {
         status: *mut i32,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Area of a face: the sum of integrals over rectangles and curved trapezoids of the domain (Gunderman,
-    /// Weiss, Evans 2021), each within one span of the surface.
+    /// The area of a face.
     ///
     /// May be null: `error`.
     pub fn nurbs_face_area(
@@ -4961,7 +4903,7 @@ extern "C" {
         area: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_face_area() as a call that can be watched and ended.
+    /// nurbs_face_area() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `error`, `call`.
     pub fn nurbs_face_area_with(
@@ -4971,8 +4913,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Area, centroid and inertia of a face, as nurbs_moments() has them of a whole surface; dim is its
-    /// dimension.
+    /// Area, centroid and inertia of a face, as nurbs_moments() computes them for a whole surface.
     ///
     /// May be null: `centroid`, `inertia`, `error`.
     pub fn nurbs_face_moments(
@@ -4983,7 +4924,7 @@ extern "C" {
         inertia: *mut f64,
         error: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_face_moments() as a call that can be watched and ended.
+    /// nurbs_face_moments() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `centroid`, `inertia`, `error`, `call`.
     pub fn nurbs_face_moments_with(
@@ -4995,9 +4936,7 @@ extern "C" {
         error: *mut f64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// Points and weights for integrals of any function over a face, as nurbs_quadrature() has them of a
-    /// whole surface: rules of Gauss on cells of which the face consists, each between two lines across the
-    /// first axis and between two curves, or knots, that stay in one span of the surface.
+    /// Points and weights for integrals of any function over a face.
     ///
     /// May be null: `params`, `weights`, `measures`, `count`.
     pub fn nurbs_face_quadrature(
@@ -5009,7 +4948,7 @@ extern "C" {
         measures: *mut f64,
         count: *mut i64,
     ) -> nurbs_status;
-    /// nurbs_face_quadrature() as a call that can be watched and ended.
+    /// nurbs_face_quadrature() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `params`, `weights`, `measures`, `count`, `call`.
     pub fn nurbs_face_quadrature_with(
@@ -5022,7 +4961,7 @@ extern "C" {
         count: *mut i64,
         call: *const nurbs_call_options,
     ) -> nurbs_status;
-    /// An axis-aligned box that contains a face; dim is the dimension of its surface.
+    /// An axis-aligned box that contains a face.
     ///
     /// May be null: `gap`.
     pub fn nurbs_face_box(
@@ -5032,7 +4971,7 @@ extern "C" {
         upper: *mut f64,
         gap: *mut f64,
     ) -> nurbs_status;
-    /// nurbs_face_box() as a call that can be watched and ended.
+    /// nurbs_face_box() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `gap`, `call`.
     pub fn nurbs_face_box_with(
@@ -5046,7 +4985,7 @@ extern "C" {
     // --- Reading files
     /// Fills an options struct with the defaults.
     pub fn nurbs_read_options_init(options: *mut nurbs_read_options, struct_size: i64) -> nurbs_status;
-    /// Reads the curves and surfaces of an IGES or a STEP file; which of them it is, its first line says.
+    /// Reads the curves and surfaces of an IGES or a STEP file.
     ///
     /// May be null: `options`.
     pub fn nurbs_read(
@@ -5055,7 +4994,7 @@ extern "C" {
         options: *const nurbs_read_options,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
-    /// nurbs_read() as a call that can be watched and ended.
+    /// nurbs_read() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_read_with(
@@ -5073,7 +5012,7 @@ extern "C" {
         options: *const nurbs_read_options,
         out: *mut *mut nurbs_list,
     ) -> nurbs_status;
-    /// nurbs_read_file() as a call that can be watched and ended.
+    /// nurbs_read_file() with progress reports, cancellation and a limit of work.
     ///
     /// May be null: `options`, `call`.
     pub fn nurbs_read_file_with(
@@ -5094,11 +5033,9 @@ extern "C" {
     ) -> nurbs_status;
     /// Number of splines in a list.
     pub fn nurbs_list_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
-    /// A new handle on spline `index`; it outlives the list.
+    /// A new handle on spline `index`, which outlives the list.
     pub fn nurbs_list_get(list: *const nurbs_list, index: i64, out: *mut *mut nurbs) -> nurbs_status;
-    /// Name of spline `index`: that of the file (IGES: name property, else label and subscript; STEP: name of
-    /// the face, edge, curve or surface, in UTF-8), else "type#line" such as "126#17", in STEP the instance
-    /// such as "#17"; in other lists as the function says that made them.
+    /// The name of spline `index`.
     ///
     /// May be null: `buf`, `length`.
     pub fn nurbs_list_name(
@@ -5123,20 +5060,18 @@ extern "C" {
         cap: i64,
         length: *mut i64,
     ) -> nurbs_status;
-    /// Unit of length of the splines in a list.
+    /// The unit of length of the splines in a list.
     pub fn nurbs_list_unit(list: *const nurbs_list, metres: *mut f64) -> nurbs_status;
     /// Frees a list.
     ///
     /// May be null: `list`.
     pub fn nurbs_list_destroy(list: *mut nurbs_list);
     // --- Handles as bytes
-    /// A spline as bytes: 64 and 16 for each axis, 8 for each knot, coordinate and weight, and what brings
-    /// each part to a multiple of 64.
+    /// A spline as bytes.
     ///
     /// May be null: `bytes`, `length`.
     pub fn nurbs_to_bytes(g: *const nurbs, cap: i64, bytes: *mut c_void, length: *mut i64) -> nurbs_status;
-    /// The spline of the bytes of nurbs_to_bytes(): the same stored values, bit for bit, and the same
-    /// periodic axes.
+    /// The spline of the bytes of nurbs_to_bytes().
     pub fn nurbs_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs) -> nurbs_status;
     /// A list as bytes, with names, notes and unit.
     ///
@@ -5149,8 +5084,7 @@ extern "C" {
     ) -> nurbs_status;
     /// The list of the bytes of nurbs_list_to_bytes().
     pub fn nurbs_list_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs_list) -> nurbs_status;
-    /// A face as bytes: its surface, loops, edges, keys, tolerance, and what was proven of curves that were
-    /// made.
+    /// A face as bytes.
     ///
     /// May be null: `bytes`, `length`.
     pub fn nurbs_face_to_bytes(
@@ -5159,11 +5093,9 @@ extern "C" {
         bytes: *mut c_void,
         length: *mut i64,
     ) -> nurbs_status;
-    /// The face of the bytes of nurbs_face_to_bytes(), which answers with the same bits on the same machine.
+    /// The face of the bytes of nurbs_face_to_bytes().
     pub fn nurbs_face_from_bytes(bytes: *const c_void, size: i64, out: *mut *mut nurbs_face) -> nurbs_status;
-    /// A model as bytes, with everything that it holds: faces, edges, vertices, parts and their uses, names,
-    /// colours, solids, layers, kinds of curves and surfaces, and the splines, notes and unit of
-    /// nurbs_model_splines().
+    /// A model as bytes, with everything that it holds.
     ///
     /// May be null: `bytes`, `length`.
     pub fn nurbs_model_to_bytes(
@@ -5178,7 +5110,7 @@ extern "C" {
         size: i64,
         out: *mut *mut nurbs_model,
     ) -> nurbs_status;
-    /// Of which kind bytes are, and in which version of the form, from their first 64.
+    /// The kind of handle that bytes hold, and the version of their form.
     ///
     /// May be null: `kind`, `major`, `minor`.
     pub fn nurbs_bytes_kind(
