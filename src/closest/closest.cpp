@@ -178,12 +178,12 @@ void closest_local(const Spline &spline, const ConstRecords &points, const Const
     Steps steps(points.count);
     for (int64_t i = 0; i < points.count; ++i, steps.next(work_of_a_descent)) {
         copy(guesses, i, guess);
-        if (work_ended()) {
-            feet.set(i, where_it_began(guess));
-        } else if (copy(points, i, point)) {
-            feet.set(i, locator.local(point.data(), guess.data()));
-        } else {
+        if (!copy(points, i, point)) {
             feet.set_invalid(i);
+        } else if (work_ended()) {
+            feet.set(i, where_it_began(guess));
+        } else {
+            feet.set(i, locator.local(point.data(), guess.data()));
         }
     }
 }

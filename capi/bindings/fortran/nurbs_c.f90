@@ -4102,7 +4102,7 @@ module nurbs_c
             integer(c_int64_t), intent(inout), optional :: length
             integer(c_int32_t) :: r
         end function nurbs_list_name
-        !> Number of notes: entities of the file that did not become a spline; 0 in lists not from files.
+        !> Number of notes: entities of the file that did not become a spline, or only approximately.
         function nurbs_list_note_count(list, count) bind(c) result(r)
             import
             type(c_ptr), value :: list

@@ -112,7 +112,8 @@ closest::Foot FaceLocator::nearest_inside(const double *point, double tolerance,
             }
         }
     }
-    best.status |= sure && std::isfinite(best.distance) ? closest::closest_certified : 0;
+    best.status |=
+        sure && std::isfinite(best.distance) ? closest::closest_certified : closest::closest_budget;
     return best;
 }
 

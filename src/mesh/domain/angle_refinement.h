@@ -89,7 +89,7 @@ private:
     [[nodiscard]] bool is_bad(int32_t triangle) const noexcept;
     [[nodiscard]] size_t shortest_side(int32_t triangle) const noexcept;
     [[nodiscard]] size_t longest_side(int32_t triangle) const noexcept;
-    [[nodiscard]] Shares wanted_place(int32_t triangle, size_t shortest) const noexcept;
+    [[nodiscard]] Shares wanted_place(int32_t t, size_t k) const noexcept;
     [[nodiscard]] Place walk(int32_t triangle, const Shares &shares) const noexcept;
     [[nodiscard]] bool is_near(const Vector3 &x, int32_t triangle, double distance) const noexcept;
     [[nodiscard]] int32_t side_seen(const Vector3 &x, int32_t triangle) const noexcept;

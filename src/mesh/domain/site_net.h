@@ -75,7 +75,7 @@ public:
 private:
     void erase(int32_t t);
     int32_t replace(int32_t t, const std::array<int32_t, 3> &sites);
-    void set_side(int32_t t, size_t k, const NetSide &side) noexcept;
+    void set_side(int32_t t, size_t k, const NetSide &own) noexcept;
     void link(int32_t t, size_t k, int32_t u, size_t j, const NetSide &like) noexcept;
 
     std::vector<NetTriangle> triangles_;

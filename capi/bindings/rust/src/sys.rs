@@ -5045,7 +5045,7 @@ extern "C" {
         cap: i64,
         length: *mut i64,
     ) -> nurbs_status;
-    /// Number of notes: entities of the file that did not become a spline; 0 in lists not from files.
+    /// Number of notes: entities of the file that did not become a spline, or only approximately.
     pub fn nurbs_list_note_count(list: *const nurbs_list, count: *mut i64) -> nurbs_status;
     /// A note: which entity, where, and why it did not become a spline.
     ///
