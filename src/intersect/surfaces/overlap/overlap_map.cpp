@@ -334,9 +334,21 @@ OverlapMap::Verdict OverlapMap::verdict_of_samples(const PlaceBox *with) {
     return result;
 }
 
-double OverlapMap::room_on(const CrossPiece &piece, size_t axis, double near) noexcept {
-    const double slope = std::max(length(piece.evaluate({0.5, 0.5}).slope[axis]), eps);
-    return std::min(near / (32 * slope), 0x1p-8);
+const std::array<double, 2> &OverlapMap::speeds_of(const CrossPiece &piece) {
+    const auto [known, made] = speeds_.try_emplace(&piece, std::array<double, 2>{infinity, infinity});
+    if (made) {
+        CrossCell cell(piece, {Interval{0, 1}, Interval{0, 1}});
+        count_work(8 * piece.piece.coefficients() * (piece.degrees[0] + piece.degrees[1] + 8));
+        if (cell.prepare()) {
+            known->second = {cell.largest_slope(0), cell.largest_slope(1)};
+        }
+    }
+    return known->second;
+}
+
+double OverlapMap::room_on(const CrossPiece &piece, size_t axis, double near) {
+    constexpr double most = 0x1p-8; // less than the widening of the piece, for which the speeds hold
+    return std::min(near / (32 * std::max(speeds_of(piece)[axis], eps)), most);
 }
 
 bool OverlapMap::set_side(const PlaceBox &with) {
