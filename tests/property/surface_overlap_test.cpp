@@ -389,7 +389,7 @@ SplineData strip_of_plane(const std::vector<double> &x) {
     return data;
 }
 
-// The part of a plane over a bump is near what is before and after it, as told by long pieces beside.
+// A bump in a short piece is no overlap, although the plane runs along the pieces beside.
 TEST(SurfaceOverlap, BumpsInShortPieces) {
     struct Pair {
         SplineData plane, strip;
@@ -400,10 +400,10 @@ TEST(SurfaceOverlap, BumpsInShortPieces) {
     const std::vector<Pair> pairs{
         {strip_of_plane({0, 0.05, 1}),
          strip_with_bump(2, {-2, -0.825, 0.35, 0.55, 0.75, 0.85, 0.95, 1.475, 2}, 5, 1e-3), 1e-6,
-         "the second piece after the one at the middle of the plane"},
-        {strip_of_plane({-0.5, 1.01}),
+         "the next piece but one, after a short one"},
+        {strip_of_plane({0.9, 1.01}),
          strip_with_bump(3, {-1, slow - 1, 1 - slow, 1, 1.002, 1.004, 1.006, 1.3, 1.6, 2}, 4, 0.03), 1e-3,
-         "a piece shorter than what another one is long that has hardly any length in the middle"}};
+         "a piece after one that is far slower in the middle than at its ends"}};
     for (const Pair &pair : pairs) {
         SCOPED_TRACE(pair.name);
         const Handle a = create(pair.plane), b = create(pair.strip);
