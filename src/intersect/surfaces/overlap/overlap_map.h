@@ -51,7 +51,7 @@ public:
     bool set_side(const PlaceBox &with);
     // The axis and the end of the side.
     [[nodiscard]] const std::array<size_t, 2> &side() const noexcept { return side_; }
-    // The distance of places along an axis of a piece that are taken for one: at most near / 32 in space, in
+    // The distance of places along an axis of a piece that are taken for one: at most near / 8 in space, in
     // the piece and a little beyond it.
     [[nodiscard]] double room_on(const CrossPiece &piece, size_t axis, double near);
 

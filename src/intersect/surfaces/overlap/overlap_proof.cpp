@@ -15,7 +15,7 @@ namespace {
 constexpr int most_looks = 40000;           // at parts of the domain, and at pairs
 constexpr int most_looks_at_a_pair = 1024;  // at parts of one pair, in covers()
 constexpr int64_t work_of_a_ray = 20;       // for each part of an edge
-constexpr double share_of_tolerance = 0.75; // the rest is for feet a little beyond the sides of pieces
+constexpr double share_of_tolerance = 0.75; // the rest is for feet a little beyond a side along each axis
 constexpr double flat = 1.0 / 64;           // of the domain: the shorter side of the box of a part of an edge
 constexpr PlaceBox whole{Interval{0, 1}, Interval{0, 1}};
 
