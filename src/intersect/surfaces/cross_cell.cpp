@@ -224,7 +224,7 @@ bool CrossCell::prepare() {
 }
 
 // Extrapolation multiplies the rounding of what it adds up by the sum of the magnitudes of its factors, which
-// is 1 + 2 x for each degree, where x is how far beyond the ends it leads. In the part itself, the polynomials
+// is 1 + 2 x for each degree, where x is how far beyond the ends it leads. In the part itself, polynomials
 // with the rounded control points of the wide part are off by that rounding, and by the errors of the part as
 // they were. Beyond the piece, Bernstein functions do not all have one sign.
 void CrossCell::set_errors() noexcept {
