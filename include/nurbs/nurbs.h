@@ -6085,10 +6085,12 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
 /** \brief Where two surfaces meet in curves: all of them, proven to be all.
  *
  * Let F = A(u, v) - B(s, t), and let M be the inverse of its derivative without one column k. Pairs of parts
- * of Bezier pieces are halved until the largest row sum of |I - M F'| over both parts is below 1. Then the
- * common points in them are a graph over parameter k, inside which there can be neither a loop nor an end,
- * and the ends of the graph on the sides of the box are those of its neighbours. So a loop of any size is
- * found as long as double precision tells the two surfaces apart in it.
+ * of Bezier pieces are halved until the matrix of bounds of |I - M F'| over both parts has a spectral radius
+ * below 1. Where surfaces run along each other at a small angle, the unknowns are the parameters of one of
+ * them, and how far those of the other one are off a linear function of these: then what both bend alike
+ * cancels. The common points in such parts are a graph over parameter k, inside which there can be neither a
+ * loop nor an end, and the ends of the graph on the sides of the box are those of its neighbours. So a loop
+ * of any size is found as long as double precision tells the two surfaces apart in it.
  *
  * Every branch except those of kind NURBS_BRANCH_TOUCH, which run either way, runs along N_b x N_a with
  * N = S_u x S_v: in the parameter domain of a, the side of b to which its normals point is on the left.
@@ -6096,10 +6098,10 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  * - BORDER: one of the surfaces ends or jumps there.
  * - SEAM: one of them closes there on an axis that is not periodic: the branch continues beyond.
  * - TOUCH: all that the surfaces have in the ranges of the node lies between two planes no farther apart than
- *   the tolerance, or in a box no larger, and branches are not separated in it. There the surfaces touch in a
- *   point, and no branch ends; or branches cross in a point at which the tangent planes coincide, and four
- *   ends are there; or there is a loop, or a connection between branches, that double precision does not tell
- *   from these; or there is a pole.
+ *   the tolerance, or in a box no larger, and is no larger than about 1/32 of the surfaces; branches are not
+ *   separated in it. There the surfaces touch in a point, and no branch ends; or branches cross in a point at
+ *   which the tangent planes coincide, and four ends are there; or there is a loop, or a connection between
+ *   branches, that double precision does not tell from these; or there is a pole.
  * - UNDECIDED: a pair of parts in which it is left open what there is. The surfaces touch, or nearly touch,
  *   in regions that are no overlaps, or along curves across which the second derivative of their distance is
  *   not of one sign all along; or a derivative vanishes; or the limit of work came first. Connected parts are
@@ -6127,16 +6129,17 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  *   periodic, in a node SEAM. Sides along which a surface closes, and poles, bound nothing: all of a closed
  *   surface has no boundary.
  *
- * Of a region it is proven that each place of a in it is no farther than the tolerance from b. All places at
- * which borders lie within the tolerance of the other surface are known
+ * Of regions it is proven that each place of a in them is no farther than the tolerance from b, or that each
+ * place of b in them is no farther than that from a; it is tried first from the surface of the lower degrees.
+ * All places at which borders lie within the tolerance of the other surface are known
  * (nurbs_curve_surface_intersections()), so that the region extends until one of the surfaces ends. It is
- * divided into parts on each of which the map to b is a polynomial in the parameters of a, corrected by a
- * contraction as above, and the distance is bounded by samples of a polynomial of known degree. Nothing else
- * is reported of what the surfaces have in common in a region, nor whether more of b touches a there. If one
- * of these proofs fails, as where the surfaces part by more than the tolerance inside their borders, or if it
- * is left open what a border does, there is no region but a node UNDECIDED. Surfaces that share only an edge
- * have no region, and surfaces that double precision tells apart by less than the tolerance have nothing in
- * common.
+ * divided into parts on each of which the map to the other surface is a polynomial in the parameters,
+ * corrected by a contraction as above, and the distance is bounded by samples of a polynomial of known
+ * degree. Nothing else is reported of what the surfaces have in common in a region, nor whether more of the
+ * other surface touches it there. If these proofs fail, as where the surfaces part by more than the tolerance
+ * inside their borders, or if it is left open what a border does, there is no region but a node UNDECIDED.
+ * Surfaces that share only an edge have no region, and surfaces that double precision tells apart by less
+ * than the tolerance have nothing in common.
  *
  * A caller should treat a kind that it does not know as UNDECIDED: later versions may say more about how
  * surfaces touch.
@@ -6224,10 +6227,11 @@ NURBS_API nurbs_status nurbs_surface_self_intersections_with(const nurbs *g, dou
  * faces, cut as by nurbs_meet_trim() and nurbs_meet_trim_second(), and the edges that the faces share: those
  * that have one key (nurbs_face_edge()) and lie in one place. So neighbours in a model meet in their edges.
  * Each shared edge is a branch EDGE, or CONTACT if at one of 33 places along it the sine of the angle between
- * the tangent planes is at most 1/256 (nurbs_meet_kinds()). Its curve in space is the edge itself, with its
- * degree and weights. Its curves in the domains run over the same parameters; on axes that close they may run
- * beyond the domain, as curves of loops may. Its deviation is a proven bound of how far all three curves are
- * apart. It ends in nodes BORDER or, if it closes, in two nodes SEAM.
+ * the tangent planes is at most 1/256 (nurbs_meet_kinds()). An EDGE runs along N_b x N_a, as curves in which
+ * surfaces cross do, a CONTACT along the loop of a. Its curve in space is the edge itself, with its degree
+ * and weights. Its curves in the domains run over the same parameters; on axes that close they may run beyond
+ * the domain, as curves of loops may. Its deviation is a proven bound of how far all three curves are apart.
+ * It ends in nodes BORDER or, if it closes, in two nodes SEAM.
  *
  * What the surfaces have in common near a shared edge is that edge, and is not reported again. Near means
  * within 2 (d_a + d_b + tolerance) / s, where d_a and d_b are how far the faces are off the edge

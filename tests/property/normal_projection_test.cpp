@@ -461,6 +461,34 @@ TEST(NormalProjection, FeetThatFillRegions) {
     }
 }
 
+// Where weights are not certainly positive, neither the surface nor the curve has bounds there: what they have
+// in common is left open, and no touch, however large the tolerance is.
+TEST(NormalProjection, PartsWithoutBoundsAreLeftOpen) {
+    std::vector<double> plane, line;
+    for (const double x : {0.0, 0.5, 1.0}) {
+        const double w = x == 0.5 ? -0.2 : 1;
+        plane.insert(plane.end(), {w * x, 0, 0, w, w * x, w, 0, w});
+        line.insert(line.end(), {w * x, w * (0.2 + x / 2), w, w});
+    }
+    const std::array<int32_t, 2> degrees{2, 1};
+    const std::array<int64_t, 2> counts{3, 2};
+    const std::array<double, 10> knots{0, 0, 0, 1, 1, 1, 0, 0, 1, 1};
+    const Handle g = made([&](nurbs **out) {
+        return nurbs_create_homogeneous(2, degrees.data(), counts.data(), knots.data(), 10, 3, plane.data(),
+                                        0, 0, 0, out);
+    });
+    const Handle curve = made([&](nurbs **out) {
+        return nurbs_create_homogeneous(1, degrees.data(), counts.data(), knots.data(), 6, 3, line.data(), 0,
+                                        0, 0, out);
+    });
+    for (const double tolerance : {1e-9, 1e-3, 10.0}) {
+        const Crossing found = projection(g.get(), curve.get(), tolerance);
+        EXPECT_FALSE(found.found.complete);
+        EXPECT_EQ(found.found.count(NURBS_NODE_TOUCH), 0);
+        EXPECT_GE(found.found.count(NURBS_NODE_UNDECIDED), 1);
+    }
+}
+
 // In a centre of curvature in the plane of symmetry of a trough two more branches begin: all of them meet in one small part.
 TEST(NormalProjection, BranchesThatMeet) {
     const Handle g = create(quadratic_graph(0.5, 0, 0, 0, -1, -1)),

@@ -364,6 +364,57 @@ TEST(SurfaceOverlap, PartingInsideIsLeftOpen) {
     }
 }
 
+// From y = 0 to 1 in the plane z = 0, by the control points along x of pieces that are joined end to end; one
+// of these is higher up in the middle.
+SplineData strip_with_bump(int degree, const std::vector<double> &x, size_t bump, double height) {
+    SplineData data{{degree, 4}, {std::ssize(x), 5}, {{0}, {0, 0, 0, 0, 0, 1, 1, 1, 1, 1}}, 3, {}, {}, 0};
+    for (size_t i = 0; i < x.size(); ++i) {
+        data.knots[0].push_back(static_cast<double>(i / static_cast<size_t>(degree)));
+        for (size_t j = 0; j < 5; ++j) {
+            data.points.insert(data.points.end(),
+                               {x[i], static_cast<double>(j) / 4, i == bump && j == 2 ? height : 0});
+        }
+    }
+    data.knots[0].insert(data.knots[0].end(), static_cast<size_t>(degree), data.knots[0].back());
+    return data;
+}
+SplineData strip_of_plane(const std::vector<double> &x) {
+    SplineData data{
+        {static_cast<int32_t>(x.size()) - 1, 1}, {std::ssize(x), 2}, {{}, {0, 0, 1, 1}}, 3, {}, {}, 0};
+    data.knots[0].assign(x.size(), 0);
+    data.knots[0].insert(data.knots[0].end(), x.size(), 1);
+    for (const double at : x) {
+        data.points.insert(data.points.end(), {at, 0, 0, at, 1, 0});
+    }
+    return data;
+}
+
+// A bump in a short piece is no overlap, although the plane runs along the pieces beside.
+TEST(SurfaceOverlap, BumpsInShortPieces) {
+    struct Pair {
+        SplineData plane, strip;
+        double tolerance;
+        const char *name;
+    };
+    const double slow = 1.9947; // in the middle of its piece
+    const std::vector<Pair> pairs{
+        {strip_of_plane({0, 0.05, 1}),
+         strip_with_bump(2, {-2, -0.825, 0.35, 0.55, 0.75, 0.85, 0.95, 1.475, 2}, 5, 1e-3), 1e-6,
+         "the next piece but one, after a short one"},
+        {strip_of_plane({0.9, 1.01}),
+         strip_with_bump(3, {-1, slow - 1, 1 - slow, 1, 1.002, 1.004, 1.006, 1.3, 1.6, 2}, 4, 0.03), 1e-3,
+         "a piece after one that is far slower in the middle than at its ends"}};
+    for (const Pair &pair : pairs) {
+        SCOPED_TRACE(pair.name);
+        const Handle a = create(pair.plane), b = create(pair.strip);
+        for (const auto &[first, second] : {std::pair(a.get(), b.get()), std::pair(b.get(), a.get())}) {
+            const Overlap overlap = overlap_of(first, second, pair.tolerance);
+            EXPECT_EQ(overlap.regions.size(), 0U);
+            EXPECT_FALSE(overlap.crossing.found.complete);
+        }
+    }
+}
+
 // Copies of which one control point is moved: a region only if all of it is within the tolerance.
 TEST(SurfaceOverlap, MovedCopies) {
     for (const double by : {1e-13, 1e-9, 1e-7, 3e-7, 3e-6, 1e-5, 1e-4}) {

@@ -65,7 +65,8 @@ TripleChart::Verdict TripleChart::set(const TripleParts &parts) {
     parts_ = parts;
     contraction_ = {};
     bends_ = {};
-    near_ = 1.01 * (parts[0]->piece().error + std::max(parts[1]->piece().error, parts[2]->piece().error));
+    const auto error = [&](size_t s) { return parts[s]->amplified() * parts[s]->piece().error; };
+    near_ = 1.01 * (error(0) + std::max(error(1), error(2)));
     count_work(1000);
     std::array<std::array<Vector3, 2>, 3> slopes;
     for (size_t s = 0; s < 3; ++s) {
@@ -113,7 +114,7 @@ bool TripleChart::set_row(size_t i, double &sum) {
         const CrossExtents extents = parts_[s]->along(factors[s]);
         lower += extents.points.lower;
         upper += extents.points.upper;
-        room += 2 * length(factors[s]) * parts_[s]->error() +
+        room += length(factors[s]) * parts_[s]->wide_error() +
                 16 * eps * largest_of(extents.points.lower, extents.points.upper);
         double off = 0;
         for (size_t k = 0; k < 2; ++k) {

@@ -142,7 +142,8 @@ std::optional<CrossCell::Beyond> CrossCell::beyond(size_t axis, size_t end) cons
         return piece.range[axis].upper - piece.range[axis].lower;
     };
     const double stretch = whole(*piece_) / whole(*other),
-                 wide = 1.01 * room(axis, end) * length_[axis] * stretch;
+                 moved = (end == 1 ? side(axis, 1) - 1 : -side(axis, 0)) + room(axis, end),
+                 wide = 1.01 * moved * length_[axis] * stretch;
     std::array<Interval, 2> places;
     places[axis] = end == 1 ? Interval{0, wide} : Interval{1 - wide, 1};
     places[1 - axis] = {lower_[1 - axis], upper_[1 - axis]};
@@ -217,8 +218,27 @@ bool CrossCell::prepare() {
         return false;
     }
     state_ = State::positive;
+    set_errors();
     set_wide(wide);
     return true;
+}
+
+// Extrapolation multiplies the rounding of what it adds up by the sum of the magnitudes of its factors, which
+// is 1 + 2 x for each degree, where x is how far beyond the ends it leads. In the part itself, polynomials
+// with the rounded control points of the wide part are off by that rounding, and by the errors of the part as
+// they were. Beyond the piece, Bernstein functions do not all have one sign.
+void CrossCell::set_errors() noexcept {
+    const auto &degrees = piece_->degrees;
+    const int both = degrees[0] + degrees[1];
+    const double rounding = 2 * (both + 2) * eps * piece_->piece.reach() * weights_.upper / weights_.lower;
+    wide_error_ = std::max(2 * error_, error_ + rounding * std::pow(1 + 2 * widening, both));
+    double sum = 1;
+    for (size_t k = 0; k < 2; ++k) {
+        const double room = widening * length_[k],
+                     far = std::max({0.0, room - lower_[k], upper_[k] + room - 1});
+        sum *= std::pow(1 + 2 * far, degrees[k]);
+    }
+    amplified_ = 1 + (sum - 1) * piece_->largest_weight / weights_.lower;
 }
 
 // The records (w x, w) become (w (x - centre), w).

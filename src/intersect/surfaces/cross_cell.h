@@ -140,9 +140,10 @@ public:
     [[nodiscard]] double room(size_t axis, size_t end) const noexcept;
     // Whether a side is on the border of the piece.
     [[nodiscard]] bool is_border(size_t axis, size_t end) const noexcept { return !is_inside(axis, end); }
-    // The strip of the neighbouring piece beyond a side on the border, as long as the side and as wide as the
-    // room. factor: makes its derivatives along the axis those by places in this part. None: the weights of
-    // the neighbour are not positive, or an axis has degree 0. Precondition: the side is not open.
+    // The strip of the neighbouring piece beyond a side on the border, as long as the side and as wide as
+    // arcs are followed there. factor: makes its derivatives along the axis those by places in this part.
+    // None: the weights of the neighbour are not positive, or an axis has degree 0. Precondition: the side is
+    // not open, and its room is not 0.
     struct Beyond;
     [[nodiscard]] std::optional<Beyond> beyond(size_t axis, size_t end) const;
     // Whether a side of it is one point (a pole), where a derivative vanishes.
@@ -156,7 +157,7 @@ public:
     // Bounds of the dot products of a vector and the control points.
     [[nodiscard]] Interval hull_along(const Vector3 &vector) const noexcept;
 
-    // Computes the data of the wide part, which the members below are about, up to least_weight(). False: its
+    // Computes the data of the wide part, which the members below are about, up to amplified(). False: its
     // weights are not all well above 0, or an axis has degree 0.
     bool prepare();
     [[nodiscard]] const Vector3 &centre() const noexcept { return centre_; } // the point in the middle
@@ -169,6 +170,11 @@ public:
     // A bound of the lengths of the derivatives by places in the part.
     [[nodiscard]] double largest_slope(size_t axis) const noexcept;
     [[nodiscard]] double least_weight() const noexcept { return weights_.lower; }
+    // Error bound of bounds of points of the part that follow from the control points of the wide part.
+    [[nodiscard]] double wide_error() const noexcept { return wide_error_; }
+    // How many times as large as in the piece errors of points may be that are evaluated in the wide part,
+    // which may run beyond the piece.
+    [[nodiscard]] double amplified() const noexcept { return amplified_; }
 
     // Its halves along an axis; without one, along an axis that is chosen at the first such call. Null: the
     // part is too small, or the axis has degree 0.
@@ -188,6 +194,7 @@ private:
     // From the records of the part to those of the wide part. half: working memory of the same size.
     void widen(const double *records, double *half, double *wide) const;
     void set_wide(std::vector<double> &records);
+    void set_errors() noexcept;
     [[nodiscard]] std::vector<double> derivatives(const std::vector<double> &records, size_t axis);
     void set_slopes(const std::vector<double> &records, size_t axis, double turn);
     [[nodiscard]] size_t axis_of_halves() const noexcept;
@@ -213,7 +220,7 @@ private:
     std::pmr::vector<double> wide_;
     std::array<double, 2> turns_{}, bends_{}; // the largest |w_k - r w|; how much derivatives change
     Interval weights_{1, 1};
-    double error_ = 0, reach_ = 0;
+    double error_ = 0, wide_error_ = 0, amplified_ = 1, reach_ = 0;
     std::array<double, 2> slope_errors_{};
     Vector3 centre_;
     std::array<Vector3, 2> slope_;

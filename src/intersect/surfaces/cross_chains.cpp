@@ -44,7 +44,8 @@ public:
     }
 
 private:
-    using Begin = std::pair<double, size_t>; // a position, and the arc
+    // An end of an arc that is still free: along one coordinate, its piece, its place in it, and the arc.
+    using Free = std::tuple<int64_t, double, size_t>;
     struct Match {
         double apart;
         size_t from, to;
@@ -98,11 +99,13 @@ private:
     }
     // Joins ends to beginnings, the nearest pairs first.
     void match(double wide) {
-        set_begins();
+        for (const size_t end : {size_t{0}, size_t{1}}) {
+            set_free(end);
+        }
         std::vector<Match> matches;
-        for (size_t arc = 0; arc < next_.size(); ++arc) {
-            if (!taken_[arc] && next_[arc] == unmatched && !arcs_[arc].open[1]) {
-                add_matches(arc, wide, matches);
+        for (const size_t end : {size_t{0}, size_t{1}}) {
+            for (const auto &[index, place, arc] : free_[end][0]) {
+                add_matches(arc, end, wide, matches);
             }
         }
         std::ranges::sort(matches, {}, [](const Match &m) { return std::tuple(m.apart, m.from, m.to); });
@@ -113,42 +116,69 @@ private:
             }
         }
     }
-    void set_begins() {
+    // Sorts the beginnings (0) or the ends (1) that are free, by each coordinate.
+    void set_free(size_t end) {
+        const std::vector<size_t> &joined = end == 0 ? last_ : next_;
         for (size_t i = 0; i < 4; ++i) {
-            begins_[i].clear();
+            std::vector<Free> &free = free_[end][i];
+            free.clear();
             for (size_t arc = 0; arc < next_.size(); ++arc) {
-                if (!taken_[arc] && last_[arc] == unmatched && !arcs_[arc].open[0]) {
-                    begins_[i].emplace_back(key(spots_[0][arc], i), arc);
+                if (!taken_[arc] && joined[arc] == unmatched && !arcs_[arc].open[end]) {
+                    const CrossSpot &spot = spots_[end][arc];
+                    free.emplace_back(spot.index[i], spot.place[i], arc);
                 }
             }
-            std::ranges::sort(begins_[i]);
+            std::ranges::sort(free);
         }
     }
-    // The position along coordinate i, in pieces. Just below the upper end of an axis that closes, it is
-    // counted as below 0.
-    [[nodiscard]] double key(const CrossSpot &spot, size_t i) const noexcept {
-        const double at = static_cast<double>(spot.index[i]) + spot.place[i],
-                     n = static_cast<double>(count(i));
-        return wraps(i) && at >= n - one_place ? at - n : at;
+    // The free beginnings or ends between two places of a piece along coordinate i.
+    [[nodiscard]] std::span<const Free> free_between(size_t end, size_t i, int64_t piece, double lower,
+                                                     double upper) const {
+        const std::vector<Free> &free = free_[end][i];
+        return {std::ranges::lower_bound(free, Free(piece, lower, 0)),
+                std::ranges::upper_bound(free, Free(piece, upper, unmatched))};
     }
-    // Matches an end with the beginnings near it. Candidates are those along the coordinate along which they
-    // are fewest: along others, many arcs may begin on one side of a piece.
-    void add_matches(size_t arc, double wide, std::vector<Match> &matches) const {
-        const CrossSpot &end = spots_[1][arc];
-        std::span<const Begin> near;
-        for (size_t i = 0; i < 4; ++i) {
-            const double at = key(end, i), window = 64 * (one_place + end.noise[i]);
-            const auto first = std::ranges::lower_bound(begins_[i], Begin(at - window, 0)),
-                       last = std::ranges::lower_bound(begins_[i], Begin(at + window, unmatched));
-            const std::span<const Begin> own(first, last);
-            near = i == 0 || own.size() < near.size() ? own : near;
+    // Those that may be one place with a spot, as far as coordinate i tells: in its piece, and in the pieces
+    // before and after it. CrossDistances::apart() allows for the noise of both spots; only what has less of
+    // it is certainly found here, because what has more looks for this spot in turn.
+    [[nodiscard]] std::array<std::span<const Free>, 3> free_near(const CrossSpot &spot, size_t end, size_t i,
+                                                                 double wide) const {
+        const double noise = spot.noise[i] + largest(spot.noise), at = spot.place[i],
+                     window = 1.01 * wide * (one_place + noise);
+        const int64_t piece = spot.index[i], n = count(i);
+        std::array<std::span<const Free>, 3> near{free_between(end, i, piece, at - window, at + window)};
+        for (const bool up : {false, true}) {
+            const int64_t beyond = up ? piece + 1 : piece - 1;
+            if ((beyond >= 0 && beyond < n) || wraps(i)) {
+                const int64_t other = (beyond + n) % n;
+                const double own = distances_.length(i, piece), length = distances_.length(i, other),
+                             place = (up ? at - 1 : at) * own / length + (up ? 0 : 1),
+                             room = window * std::min(own, length) / length;
+                near[up ? 2 : 1] = free_between(end, i, other, place - room, place + room);
+            }
+        }
+        return near;
+    }
+    // Matches an end (1) or a beginning (0) of an arc with what is near it. Candidates are those along the
+    // coordinate along which they are fewest: along others, many arcs may begin on one side of a piece.
+    void add_matches(size_t arc, size_t end, double wide, std::vector<Match> &matches) const {
+        const CrossSpot &spot = spots_[end][arc];
+        const auto size_of = [](const auto &near) {
+            return near[0].size() + near[1].size() + near[2].size();
+        };
+        std::array<std::span<const Free>, 3> near = free_near(spot, 1 - end, 0, wide);
+        for (size_t i = 1; i < 4; ++i) {
+            const auto own = free_near(spot, 1 - end, i, wide);
+            near = size_of(own) < size_of(near) ? own : near;
         }
         count_work(100);
-        for (const auto &[at, begin] : near) {
-            count_work(40);
-            const double far = distances_.apart(end, spots_[0][begin], one_place);
-            if (far <= wide && !(begin == arc && is_short(arc))) {
-                matches.push_back({far, arc, begin});
+        for (const std::span<const Free> part : near) {
+            for (const auto &[piece, place, other] : part) {
+                count_work(40);
+                const double far = distances_.apart(spot, spots_[1 - end][other], one_place);
+                if (far <= wide && !(other == arc && is_short(arc))) {
+                    matches.push_back({far, end == 1 ? arc : other, end == 1 ? other : arc});
+                }
             }
         }
     }
@@ -343,9 +373,9 @@ private:
     std::array<const CrossSurface *, 2> surfaces_;
     CrossDistances distances_;
     const std::vector<JoinedArc> &arcs_;
-    std::array<std::vector<CrossSpot>, 2> spots_; // of beginnings and of ends
-    std::array<std::vector<Begin>, 4> begins_;    // that are still free, along each coordinate
-    std::vector<size_t> next_, last_;             // arcs, or unmatched
+    std::array<std::vector<CrossSpot>, 2> spots_;          // of beginnings and of ends
+    std::array<std::array<std::vector<Free>, 4>, 2> free_; // beginnings and ends, along each coordinate
+    std::vector<size_t> next_, last_;                      // arcs, or unmatched
     std::vector<bool> taken_;
     std::vector<CrossGroup> groups_; // of clusters; the first nodes are theirs
     RangesTree around_;              // of the groups and what is around() them

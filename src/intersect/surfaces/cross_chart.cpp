@@ -85,7 +85,7 @@ void CrossChart::set_norms() noexcept {
 bool CrossChart::set_row(size_t i, const CrossCell &a, const CrossCell &b) {
     const CrossExtents of_a = a.along(rows_[i]), of_b = b.along(rows_[i]);
     const double middle = dot(rows_[i], a.centre() - b.centre()),
-                 room = 2 * norms_[i] * (a.error() + b.error()) + 8 * eps * std::abs(middle);
+                 room = norms_[i] * (a.wide_error() + b.wide_error()) + 8 * eps * std::abs(middle);
     if (middle + of_a.points.lower - of_b.points.upper > room ||
         middle + of_a.points.upper - of_b.points.lower < -room) {
         return false;
@@ -110,7 +110,7 @@ bool CrossChart::set_row(size_t i, const CrossCell &a, const CrossCell &b) {
 }
 
 CrossChart::Verdict CrossChart::set(CrossCell &a, CrossCell &b) {
-    near_ = 1.01 * (a.piece().error + b.piece().error);
+    near_ = 1.01 * (a.amplified() * a.piece().error + b.amplified() * b.piece().error);
     count_work(400);
     sheared_ = false;
     start_.fill(0.5);

@@ -131,12 +131,14 @@ private:
         const SurfaceBorders &borders = surfaces_[i / 2]->borders;
         return borders.wraps(i % 2) ? borders.period(i % 2) : 0;
     }
-    // Moves a range into the domain. Where that closes, the range may run beyond the upper end, unless it is
-    // as long as the period.
+    // Moves a range into the domain. Where that closes, the range may run beyond the upper end, and one that
+    // is as long as the period is the whole domain.
     void keep_in_domain(size_t i, Interval &range) const noexcept {
         const Interval domain = domain_along(surfaces_[i / 2]->grid, i % 2);
-        if (period(i) == 0 || range.upper - range.lower >= period(i)) {
+        if (period(i) == 0) {
             range = {std::max(range.lower, domain.lower), std::min(range.upper, domain.upper)};
+        } else if (range.upper - range.lower >= period(i)) {
+            range = domain;
         } else if (range.lower < domain.lower) {
             range = {range.lower + period(i), range.upper + period(i)};
         }

@@ -260,7 +260,7 @@ void CrossSearch::keep_cut(Pair &pair) {
 // there are.
 bool CrossSearch::is_little_left() const noexcept {
     constexpr double little = 0x1p-6;
-    return parts_.count > 0 && parts_.left <= little && shear_.touch_nowhere();
+    return parts_.left <= little && shear_.touch_nowhere();
 }
 
 void CrossSearch::look_for_arc(const Pair &pair) {
@@ -322,7 +322,7 @@ double CrossSearch::thickness(const Pair &pair) {
         const Vector3 unit = (1 / size) * normal;
         const Interval a = pair.a->points_along(unit), b = pair.b->points_along(unit);
         const double between = dot(unit, pair.a->centre() - pair.b->centre()),
-                     room = 2 * (pair.a->error() + pair.b->error());
+                     room = pair.a->wide_error() + pair.b->wide_error();
         count_work(200);
         if (between + a.lower - b.upper > room || between + a.upper - b.lower < -room) {
             return -1;

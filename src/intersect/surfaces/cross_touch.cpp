@@ -90,7 +90,7 @@ bool CrossTouch::are_small(const Cells &cells, double most) noexcept {
 double CrossTouch::thickness(const Cells &cells, const Vector3 &unit) noexcept {
     Interval all{infinity, -infinity};
     for (const CrossCell &cell : cells) {
-        const double from = dot(unit, cell.centre() - cells.front().centre()), room = 2 * cell.error();
+        const double from = dot(unit, cell.centre() - cells.front().centre()), room = cell.wide_error();
         const Interval own = cell.points_along(unit);
         all = {std::min(all.lower, from + own.lower - room), std::max(all.upper, from + own.upper + room)};
     }

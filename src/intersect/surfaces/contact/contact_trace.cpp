@@ -251,6 +251,9 @@ bool ContactTracer::is_contact(const ContactCurve &curve, double change) const {
     for (size_t i = 0; i + 1 < curve.places.size() || (curve.closed && i < curve.places.size()); ++i) {
         const ContactPoint &from = curve.places[i];
         const double way = curve.segments[i].length;
+        if (!(way / step >= 0)) {
+            return false; // infinite or not numbers
+        }
         const int parts = static_cast<int>(std::min(std::ceil(way / step), 1e6));
         const double sign =
             dot((i + 1 < curve.places.size() ? curve.places[i + 1] : curve.places[0]).a - from.a,

@@ -151,15 +151,19 @@ double CrossFitter::largest_gap(const CrossSegment &segment, size_t surface) {
 }
 
 // Limits `off`, the distance of places from the arc, by the box. For each value of coordinate k between those
-// of its ends, the arc has a zero in the box, so that no place is farther from that zero than from the
-// farther side of the box. False: places may be outside that range of k, or outside the wide parts.
+// of its ends, the arc has a zero in the box, or beyond a border that it runs along by no more than the room
+// there; so no place is farther from that zero than from the farther of these sides. False: places may be
+// outside that range of k, or outside the wide parts.
 bool CrossFitter::limit_to_box(const CrossSegment &segment, CrossPlace &off) const noexcept {
     const CrossBox &box = arc_->box;
     const size_t axis = box.chart.axis();
     const auto [first, last] = std::minmax({arc_->ends[0].at[axis], arc_->ends[1].at[axis]});
     for (size_t i = 0; i < 4; ++i) {
         const size_t k = i % 2;
-        const double room = 64 * shift_of_sides / box.cell(i).length(k);
+        const CrossCell &cell = box.cell(i);
+        const double room = 64 * shift_of_sides / cell.length(k);
+        const Interval sides{box.side(i, 0) - (arc_->along ? cell.room(k, 0) : 0),
+                             box.side(i, 1) + (arc_->along ? cell.room(k, 1) : 0)};
         const Interval range =
             i == axis ? Interval{first - room, last + room} : Interval{-widening, 1 + widening};
         double farthest = 0;
@@ -167,7 +171,7 @@ bool CrossFitter::limit_to_box(const CrossSegment &segment, CrossPlace &off) con
             if (!(place[k] >= range.lower && place[k] <= range.upper)) {
                 return false;
             }
-            farthest = std::max({farthest, place[k] - box.side(i, 0), box.side(i, 1) - place[k]});
+            farthest = std::max({farthest, place[k] - sides.lower, sides.upper - place[k]});
         }
         off[i] = std::min(off[i], farthest);
     }

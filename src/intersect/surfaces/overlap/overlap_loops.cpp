@@ -17,6 +17,7 @@ using Polygon = std::vector<Place2>;
 
 constexpr size_t none = static_cast<size_t>(-1);
 constexpr double least_angle = 1e-6; // between edges at a node in which several loops meet
+constexpr size_t parts_of_segments = 8;
 
 double area_of(const Polygon &polygon) noexcept {
     double area = 0;
@@ -46,6 +47,23 @@ int crossings_of(const Polygon &polygon, const Place2 &at, bool up, bool closes)
         }
     }
     return up ? -turns : turns;
+}
+
+// The crossings of a polygon with rays as of crossings_of(), from a place and its copies in other periods.
+int crossings_around(const Polygon &polygon, const Place2 &at, const SurfaceBorders &borders) noexcept {
+    const bool up = borders.wraps(0) && !borders.wraps(1); // along an axis that does not close, if any
+    const Place2 &first = polygon.front(), &last = polygon.back();
+    const bool closes = std::abs(last[0] - first[0]) < borders.period(0) / 2 &&
+                        std::abs(last[1] - first[1]) < borders.period(1) / 2;
+    const std::array<int, 2> most{borders.wraps(0) ? 2 : 0, borders.wraps(1) ? 2 : 0};
+    int turns = 0;
+    for (int i = -most[0]; i <= most[0]; ++i) {
+        for (int j = -most[1]; j <= most[1]; ++j) {
+            const Place2 moved{at[0] + i * borders.period(0), at[1] + j * borders.period(1)};
+            turns += crossings_of(polygon, moved, up, closes);
+        }
+    }
+    return turns;
 }
 
 class LoopFinder {
@@ -166,10 +184,9 @@ private:
         return moved;
     }
     void add(const OverlapEdge &edge, Polygon &polygon) const {
-        constexpr int parts = 8;
         for (const CrossSegment &segment : edge.segments) {
-            for (int i = 0; i < parts; ++i) {
-                const double t = static_cast<double>(i) / parts;
+            for (size_t i = 0; i < parts_of_segments; ++i) {
+                const double t = static_cast<double>(i) / parts_of_segments;
                 const Cubic cubic(segment.on[0]);
                 const Place2 at{cubic.coordinate(0, t), cubic.coordinate(1, t)};
                 polygon.push_back(polygon.empty() ? at : beside(at, polygon.back()));
@@ -227,22 +244,33 @@ private:
         }
         return true;
     }
-    // The smallest region that contains a hole.
+    // The smallest region that contains a hole. A hole is in the strip between the loops below it and those
+    // above it.
     [[nodiscard]] size_t region_around(const Loop &hole, const std::vector<const Loop *> &outer,
                                        size_t strips) const {
         size_t best = none;
         double least = infinity;
         for (size_t i = 0; i < outer.size(); ++i) {
-            if (outer[i]->area < least && is_in(hole.polygon[hole.polygon.size() / 2], outer[i]->polygon)) {
+            if (outer[i]->area < least && is_in(place_on(hole), outer[i]->polygon)) {
                 least = outer[i]->area;
                 best = strips + i;
             }
         }
-        for (size_t i = 0; i < strips && best == none; ++i) {
-            const double at = hole.polygon.front()[across_];
-            best = at > strips_[i].lower && at < strips_[i].upper ? i : best;
-        }
-        return best;
+        const auto strip = std::ranges::find(strips_, loops_below(hole));
+        return best == none && strip != strips_.end() ? static_cast<size_t>(strip - strips_.begin()) : best;
+    }
+    // In the middle of a segment, because loops may meet at nodes.
+    [[nodiscard]] static const Place2 &place_on(const Loop &loop) noexcept {
+        return loop.polygon[parts_of_segments / 2];
+    }
+    // Loops that go around undulate, but do not cross each other: one is below all of another loop if it is
+    // below one place of it.
+    [[nodiscard]] size_t loops_below(const Loop &loop) const noexcept {
+        return static_cast<size_t>(std::ranges::count_if(loops_, [&](const Loop &other) {
+            const bool goes_round = other.turns != std::array<int, 2>{};
+            return &other != &loop && goes_round &&
+                   crossings_around(other.polygon, place_on(loop), ground_.borders(0)) == 0;
+        }));
     }
     [[nodiscard]] bool is_in(const Place2 &at, const Polygon &polygon) const noexcept {
         for (const int i : {0, 1, -1}) {
@@ -265,10 +293,7 @@ private:
             return false;
         }
         const size_t along = wraps_[0] ? 0 : 1;
-        across_ = 1 - along;
-        const auto place = [&](const Loop *loop) { return loop->polygon.front()[across_]; };
-        std::ranges::sort(around, {}, place);
-        const Interval domain = ground_.domain(0, across_);
+        std::ranges::sort(around, {}, [&](const Loop *loop) { return loops_below(*loop); });
         bool is_open = false;
         for (size_t i = 0; i < around.size(); ++i) {
             const Loop &loop = *around[i];
@@ -281,10 +306,7 @@ private:
             }
             if (above || i == 0) {
                 regions_.emplace_back();
-                strips_.push_back({above ? place(&loop) : domain.lower, domain.upper});
-            }
-            if (!above) {
-                strips_.back().upper = place(&loop);
+                strips_.push_back(above ? i + 1 : 0);
             }
             add_to(regions_.back(), loop);
             is_open = above;
@@ -300,8 +322,7 @@ private:
     std::vector<size_t> next_;
     std::vector<Loop> loops_;
     std::vector<OverlapRegion> regions_; // strips first
-    std::vector<Interval> strips_;
-    size_t across_ = 0;
+    std::vector<size_t> strips_;         // the numbers of loops below them
     bool far_inside_ = false;
 };
 
@@ -312,21 +333,10 @@ int winding_of(const std::vector<std::array<double, 2>> &polygon, const std::arr
 }
 
 bool OverlapRegions::hold(const OverlapGround &ground, const std::array<double, 2> &at) const noexcept {
-    const SurfaceBorders &borders = ground.borders(0);
-    const bool up = borders.wraps(0) && !borders.wraps(1); // along an axis that does not close, if any
-    const std::array<int, 2> most{borders.wraps(0) ? 2 : 0, borders.wraps(1) ? 2 : 0};
     int turns = far_inside ? 1 : 0;
     for (const OverlapRegion &region : list) {
         for (const Polygon &polygon : region.polygons) {
-            const Place2 &first = polygon.front(), &last = polygon.back();
-            const bool closes = std::abs(last[0] - first[0]) < borders.period(0) / 2 &&
-                                std::abs(last[1] - first[1]) < borders.period(1) / 2;
-            for (int i = -most[0]; i <= most[0]; ++i) {
-                for (int j = -most[1]; j <= most[1]; ++j) {
-                    const Place2 moved{at[0] + i * borders.period(0), at[1] + j * borders.period(1)};
-                    turns += crossings_of(polygon, moved, up, closes);
-                }
-            }
+            turns += crossings_around(polygon, at, ground.borders(0));
         }
     }
     return turns > 0;

@@ -334,14 +334,31 @@ OverlapMap::Verdict OverlapMap::verdict_of_samples(const PlaceBox *with) {
     return result;
 }
 
-double OverlapMap::room_on(const CrossPiece &piece, size_t axis, double near) noexcept {
-    const double slope = std::max(length(piece.evaluate({0.5, 0.5}).slope[axis]), eps);
-    return std::min(near / (32 * slope), 0x1p-8);
+// Bounds over small parts of the piece are far closer than those over all of it.
+const std::array<double, 2> &OverlapMap::speeds_of(const CrossPiece &piece) {
+    constexpr int parts = 4;
+    const auto [known, made] = speeds_.try_emplace(&piece);
+    const auto range = [](int i) { return Interval{double(i) / parts, double(i + 1) / parts}; };
+    for (int i = 0; i < parts * parts && made; ++i) {
+        CrossCell cell(piece, {range(i / parts), range(i % parts)});
+        count_work(8 * piece.piece.coefficients() * (piece.degrees[0] + piece.degrees[1] + 8));
+        const bool bounded = cell.prepare();
+        for (size_t k = 0; k < 2; ++k) {
+            const double own = bounded ? cell.largest_slope(k) / cell.length(k) : infinity;
+            known->second[k] = std::max(known->second[k], own);
+        }
+    }
+    return known->second;
+}
+
+double OverlapMap::room_on(const CrossPiece &piece, size_t axis, double near) {
+    constexpr double most = 0x1p-8; // the speeds hold for more, 1/32
+    return std::min(near / (8 * std::max(speeds_of(piece)[axis], eps)), most);
 }
 
 bool OverlapMap::set_side(const PlaceBox &with) {
     for (size_t k = 0; k < 2; ++k) {
-        const double room = room_on(*b_, k, 16 * tolerance_);
+        const double room = room_on(*b_, k, 4 * tolerance_);
         for (size_t end = 0; end < 2; ++end) {
             if (end == 0 ? feet_[k].upper <= with[k].lower + room : feet_[k].lower >= with[k].upper - room) {
                 side_ = {k, end};

@@ -5,6 +5,8 @@
 
 #include "intersect/surfaces/cross_cell.h"
 
+#include <map>
+
 namespace nrb::intersect {
 
 using PlaceBox = std::array<Interval, 2>;
@@ -49,9 +51,9 @@ public:
     bool set_side(const PlaceBox &with);
     // The axis and the end of the side.
     [[nodiscard]] const std::array<size_t, 2> &side() const noexcept { return side_; }
-    // The distance of places along an axis of a piece that are taken for one: near / 32 in space, with the
-    // derivative in the middle of the piece.
-    [[nodiscard]] static double room_on(const CrossPiece &piece, size_t axis, double near) noexcept;
+    // The distance of places along an axis of a piece that are taken for one: at most near / 8 in space, in
+    // the piece and a little beyond it.
+    [[nodiscard]] double room_on(const CrossPiece &piece, size_t axis, double near);
 
 private:
     using Homogeneous = std::array<double, 4>;
@@ -72,6 +74,7 @@ private:
     Verdict verdict_of_samples(const PlaceBox *with);
     [[nodiscard]] std::array<double, 2> place_on_a(const std::array<double, 2> &at) const noexcept;
     [[nodiscard]] std::array<int, 2> degrees_of_gap() const noexcept;
+    [[nodiscard]] const std::array<double, 2> &speeds_of(const CrossPiece &piece);
 
     double tolerance_;
     const CrossPiece *a_ = nullptr, *b_ = nullptr;
@@ -88,6 +91,7 @@ private:
     std::array<double, 2> slopes_{}; // bounds of |n . B_s| and |n . B_t|
     double off_ = 0, height_ = 0;
     std::array<size_t, 2> side_{};
+    std::map<const CrossPiece *, std::array<double, 2>> speeds_; // bounds of the derivatives along both axes
 };
 
 } // namespace nrb::intersect

@@ -47,7 +47,12 @@ private:
     State look_along(const Part &part, const std::array<double, 2> &beside, bool inside);
     bool lies_along(const Part &part, const CrossPiece &other, const std::array<double, 2> &start);
     bool lies_along_neighbours(const Part &part, const CrossPiece &other, bool inside);
-    [[nodiscard]] const CrossPiece *neighbour(const CrossPiece &piece, const std::array<int, 2> &step) const;
+    using Beyond = std::array<std::array<bool, 3>, 2>;
+    [[nodiscard]] Beyond beyond_of(const CrossPiece &piece);
+    bool lies_along_neighbour(const Part &part, const CrossPiece &next, const std::array<double, 2> &start,
+                              const std::array<int, 2> &step, const Beyond &told, bool inside);
+    [[nodiscard]] std::optional<const CrossPiece *> neighbour(const CrossPiece &piece,
+                                                              const std::array<int, 2> &step) const;
     [[nodiscard]] std::optional<std::array<double, 2>> edge_in(const Part &part) const;
     [[nodiscard]] bool is_inside(const Part &part) const;
     bool is_known(const Part &a, const Part &b) const;

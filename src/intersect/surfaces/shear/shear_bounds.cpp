@@ -52,7 +52,7 @@ bool CrossShear::is_useful() const noexcept {
 }
 
 void CrossShear::set_errors(const CrossCell &x, const CrossCell &y) noexcept {
-    error_ = 1.01 * (x.error() + y.error()) + 4 * eps * length(between_);
+    error_ = 1.01 * (x.amplified() * x.error() + y.amplified() * y.error()) + 4 * eps * length(between_);
     for (size_t j = 0; j < 2; ++j) {
         own_errors_[j] = 1.01 * y.slope_error(j) + 16 * eps * length(slopes_of_y_[j]);
     }

@@ -153,11 +153,12 @@ void CrossShear::set_cut(const CrossCell &x, const CrossCell &y, const Away &awa
     }
 }
 
+// Nothing is left of what is beyond the part: along borders, the places of zeros are known there, too.
 CrossShear::Parts CrossShear::parts() const noexcept {
     constexpr double room_across = 0.25, room = 0x1p-6, least = 0x1p-12, far_less = 0.5;
     const auto wider = [](const Interval &range, double share) {
         const double more = share * width_of(range) + least;
-        return Interval{std::max(range.lower - more, 0.0), std::min(range.upper + more, 1.0)};
+        return Interval{std::clamp(range.lower - more, 0.0, 1.0), std::clamp(range.upper + more, 0.0, 1.0)};
     };
     Parts parts;
     parts.of_y = {wider(ranges_of_y_[0], room), wider(ranges_of_y_[1], room)};
@@ -165,7 +166,10 @@ CrossShear::Parts CrossShear::parts() const noexcept {
     double across = 0;
     for (size_t i = 0; i < parts_; ++i) {
         const Interval own = wider(places_[i], room_across);
-        if (i > 0 && parts.of_x[0][across_].upper >= own.lower) {
+        if (width_of(own) == 0) {
+            continue;
+        }
+        if (parts.count > 0 && parts.of_x[0][across_].upper >= own.lower) {
             across += own.upper - parts.of_x[0][across_].upper;
             parts.of_x[0][across_].upper = own.upper;
             continue;
