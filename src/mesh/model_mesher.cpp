@@ -30,10 +30,20 @@ constexpr int most_in_vain = 6;
 // faces.
 constexpr double share_of_edges = 0.8;
 
-void append_edges(const ModelEdges &edges, Mesh &mesh) {
+// Whether a polyline keeps to the rule with the points that it has by now.
+bool is_reached(const ModelEdges &edges, const EdgeLine &line, const MeshRule &rule) {
+    bool result = line.reached && line.bound <= rule.chord;
+    for (size_t i = 1; result && rule.longest > 0 && i < line.points.size(); ++i) {
+        const auto point = [&](size_t k) { return edges.points()[static_cast<size_t>(line.points[k])]; };
+        result = length(point(i) - point(i - 1)) <= rule.longest;
+    }
+    return result;
+}
+
+void append_edges(const ModelEdges &edges, const MeshRule &rule, Mesh &mesh) {
     for (const EdgeLine &line : edges.lines()) {
-        mesh.edges.push_back(
-            {line.edge, mesh.edge_points.size(), line.points.size(), line.bound, line.reached});
+        mesh.edges.push_back({line.edge, mesh.edge_points.size(), line.points.size(), line.bound,
+                              is_reached(edges, line, rule)});
         mesh.edge_points.insert(mesh.edge_points.end(), line.points.begin(), line.points.end());
     }
 }
@@ -122,7 +132,7 @@ std::optional<Mesh> ModelMesher::mesh(bool may_fail) {
     works_.clear();
     Mesh result;
     result.points = edges_.points();
-    append_edges(edges_, result);
+    append_edges(edges_, rule_, result);
     for (const DomainMesh &part : parts_) {
         append(part, result);
     }

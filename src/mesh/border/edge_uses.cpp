@@ -59,6 +59,11 @@ EdgeUses::EdgeUses(const model::Model &model, double chord) : model_(model), cho
     for (int64_t number = 0; number < std::ssize(model_.faces); ++number) {
         add_fixed(number);
     }
+    for (EdgeUse &use : uses_) {
+        if (use.fixed.size() > 1) {
+            put_fixed_in_order(use);
+        }
+    }
 }
 
 void EdgeUses::set_uses() {
@@ -177,6 +182,25 @@ void EdgeUses::add_fixed(int64_t number) {
                 fix(number, border, passage);
             }
         }
+    }
+}
+
+// Puts the fixed places of a use in one order on curve and edge.
+void EdgeUses::put_fixed_in_order(EdgeUse &use) const {
+    const Interval domain = curve_of(use).axis(0).domain();
+    std::vector<FixedPlace *> places;
+    for (FixedPlace &place : use.fixed) {
+        places.push_back(&place);
+    }
+    std::ranges::sort(places, {}, &FixedPlace::curve);
+    std::vector<PairedParam> pairs{{domain.lower, use.pairing->on_edge(domain.lower), true}};
+    for (const FixedPlace *place : places) {
+        pairs.push_back({place->curve, place->edge});
+    }
+    pairs.push_back({domain.upper, use.pairing->on_edge(domain.upper), true});
+    put_in_order(pairs);
+    for (size_t i = 0; i < places.size(); ++i) {
+        places[i]->edge = pairs[i + 1].found;
     }
 }
 
