@@ -35,6 +35,9 @@ public:
     }
     // Of a place on a piece, in the loops of the face.
     [[nodiscard]] BorderPlace place_of(const TrimPiece &piece, double at) const;
+    // Which part, from 0 to 1, a piece is of the segment behind a curve, which is cut where it passes into
+    // another copy of the domain. Precondition: a piece of the face.
+    [[nodiscard]] Interval part_behind(const TrimPiece &piece) const;
     // Whether the loop runs against the piece.
     [[nodiscard]] bool is_turned(const TrimPiece &piece) const;
     // The nearest place of those no farther off than curves may leave the domain.

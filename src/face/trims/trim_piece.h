@@ -27,7 +27,8 @@ struct TrimPiece {
 
 // Of the curve that it is a piece of.
 inline double parameter_at(const TrimPiece &piece, double place) noexcept {
-    return place == 1 ? piece.range.upper : (1 - place) * piece.range.lower + place * piece.range.upper;
+    const auto [lower, upper] = piece.range;
+    return place == 1 || lower == upper ? upper : (1 - place) * lower + place * upper;
 }
 
 // Pieces and their coefficients: (u, v), or (u w, v w, w).

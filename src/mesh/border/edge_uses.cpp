@@ -240,9 +240,9 @@ void EdgeUses::fix_behind(int64_t number, const face::BorderPieces &border, cons
     const auto count = static_cast<int32_t>(face(number).loops()[static_cast<size_t>(place.loop)].size());
     const int32_t before = turned ? (place.index + count - 1) % count : place.index;
     if (const std::optional<size_t> found = behind(number, place.loop, before)) {
-        EdgeUse &use = uses_[*found];
-        const double param = turned ? 1 - passage.place : passage.place;
-        use.fixed.push_back({param, use.pairing->on_edge(param), passage.at});
+        const Interval part = border.part_behind(*passage.piece);
+        const double share = parameter_in(part, passage.place);
+        fix_at(uses_[*found], turned ? 1 - share : share, passage.at);
     }
 }
 
