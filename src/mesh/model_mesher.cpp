@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/model_mesher.h"
 
+#include "base/error.h"
 #include "base/watch.h"
 #include "mesh/domain/domain_mesher.h"
 #include "mesh/extent.h"
@@ -84,6 +85,11 @@ MeshDomain domain_of(const Spline &surface, const face::Covering &covering) {
 }
 
 void append(const DomainMesh &part, Mesh &mesh) {
+    constexpr size_t most = std::numeric_limits<int32_t>::max();
+    if (part.vertices.size() > most - mesh.vertices.size() ||
+        part.points.size() > most - mesh.points.size()) {
+        fail(Status::overflow, "a mesh of more than %zu vertices", most);
+    }
     const auto base = static_cast<int32_t>(mesh.vertices.size()),
                first = static_cast<int32_t>(mesh.points.size());
     MeshFace info;
