@@ -163,7 +163,9 @@ void ModelMesher::mesh_faces(bool last) {
     }
 }
 
-// Decides, after a face, whether the work is going to be enough. `enough`: whether it was for this face.
+// Decides, after a face, whether the work is going to be enough. `enough`: whether it was for this face. Where
+// no work of faces is expected the answer is always yes: of single faces and coarse meshes, what there is when
+// the work ends is mostly closer than a coarser mesh that is made with the rest of it.
 void ModelMesher::judge(size_t face, bool enough) noexcept {
     const bool far =
         !enough && std::max(parts_[face].from_shape, parts_[face].from_mesh) > most_off * rule_.chord;
@@ -251,6 +253,9 @@ void ModelMesher::mesh_face(size_t face, bool last) {
 // corner, cross the more often the more vertices they have; borders that are merely close stop crossing once
 // their segments are close enough to their curves.
 bool ModelMesher::is_hopeless(size_t face, size_t crossed) noexcept {
+    if (crossed == 0) { // nothing was divided, nor is it now
+        return false;
+    }
     Crossings &own = crossings_[face];
     own.in_vain = crossed < own.fewest ? 0 : own.in_vain + 1;
     own.fewest = std::min(own.fewest, crossed);
