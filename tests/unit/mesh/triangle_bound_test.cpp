@@ -4,10 +4,12 @@
 
 #include "eval/evaluate.h"
 #include "mesh/proof/distance.h"
+#include "mesh/proof/mesh_bound.h"
 #include "support/generators.h"
 #include "unit/shapes.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace triangle_bound_test {
 
@@ -318,6 +320,38 @@ TEST(TriangleBound, by_parts_is_of_the_block_alone) {
             heights.push_back(bound.height / grid.scaled(1));
         }
         EXPECT_NEAR(heights[0], heights[1], 1e-9);
+    }
+}
+
+// Around the first corner of a level triangle there are others on a steep cone, as seen once or twice around. Although their angles
+// in space add up to less than 3 pi, stars that look twice around prove nothing.
+TEST(MeshBound, stars_that_look_twice_around_do_not_count) {
+    constexpr int count = 24;
+    constexpr double tilt = 0.85, own_angle = 0.25;
+    for (const int turns : {1, 2}) {
+        const double seen = 2 * std::numbers::pi * turns - own_angle;
+        std::vector<MeshTriangle> triangles;
+        std::vector<TriangleBound> bounds;
+        double angles = 0;
+        for (int32_t i = 0; i <= count; ++i) {
+            const double at = i == 0 ? 0 : own_angle / 2 + (i - 0.5) * seen / count;
+            TriangleBound bound;
+            bound.normal = i == 0 ? Vector3{0, 0, 1}
+                                  : Vector3{std::sin(tilt) * std::cos(at), std::sin(tilt) * std::sin(at),
+                                            std::cos(tilt)};
+            bound.angles = {i == 0 ? own_angle : seen * std::cos(tilt) / count, 1, 1};
+            bound.altitude = 1;
+            bound.height = 1e-3;
+            bound.out = 1e-4;
+            bound.beside = 0.1;
+            angles += bound.angles[0];
+            bounds.push_back(bound);
+            triangles.push_back({{0, 1 + i, 1 + (i + 1) % (count + 1)}});
+        }
+        EXPECT_LT(angles, 3 * std::numbers::pi);
+        const std::array<int32_t, 1> wanted{0};
+        const MeshBound bound(count + 2, triangles, bounds, wanted);
+        EXPECT_EQ(bound.distances(0, 0).from_mesh < 0.1, turns == 1);
     }
 }
 
