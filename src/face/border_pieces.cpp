@@ -23,6 +23,30 @@ BorderPlace BorderPieces::place_of(const TrimPiece &piece, double at) const {
     return {piece.loop, count - 1 - piece.curve, -param};
 }
 
+// The pieces of a segment follow each other, behind the same place of the same curve.
+Interval BorderPieces::part_behind(const TrimPiece &piece) const {
+    const auto &all = face_.trims().pieces().all();
+    const auto is_of_it = [&](const TrimPiece &other) {
+        return other.loop == piece.loop && other.curve == piece.curve &&
+               other.range.lower == piece.range.lower && other.range.upper == piece.range.lower;
+    };
+    const auto size = [&](const TrimPiece &own) {
+        const Covering &covering = face_.covering();
+        return std::hypot((own.end[0] - own.start[0]) / covering.period(0),
+                          (own.end[1] - own.start[1]) / covering.period(1));
+    };
+    double before = 0, behind = 0;
+    const auto at = static_cast<size_t>(&piece - all.data());
+    for (size_t i = at; i > 0 && is_of_it(all[i - 1]); --i) {
+        before += size(all[i - 1]);
+    }
+    for (size_t i = at + 1; i < all.size() && is_of_it(all[i]); ++i) {
+        behind += size(all[i]);
+    }
+    const double whole = before + size(piece) + behind;
+    return {before / whole, behind > 0 ? (before + size(piece)) / whole : 1};
+}
+
 bool BorderPieces::is_turned(const TrimPiece &piece) const {
     return face_.trims().turned()[static_cast<size_t>(piece.loop)];
 }

@@ -37,6 +37,9 @@ public:
     }
     // The place in the loops of the face at a place of a piece.
     [[nodiscard]] BorderPlace place_of(const TrimPiece &piece, double at) const;
+    // Which part, from 0 to 1, a piece is of the segment behind a curve, which is cut where it passes into
+    // another copy of the domain. Precondition: a piece of the face.
+    [[nodiscard]] Interval part_behind(const TrimPiece &piece) const;
     // Whether the loop was turned, so that it now runs against the piece.
     [[nodiscard]] bool is_turned(const TrimPiece &piece) const;
     // The place on the border near x, if there is one within a few times the distance by which curves may

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -102,9 +103,10 @@ private:
         const double finer = rule_.chord / chord;
         return cells_.at(finer) * work_of_cell + segments_.at(finer) * work_of_segment;
     }
-    // The smallest chord expected to take no more than `aim` of the work, by bisection of its logarithm.
+    // The smallest chord expected to take no more than `aim` of the work, by bisection of its logarithm, which
+    // ends only between normal numbers: a share of a tiny extent may be 0.
     [[nodiscard]] double fitting() const {
-        double low = chord_, high = rule_.chord;
+        double low = std::max(chord_, std::numeric_limits<double>::min()), high = rule_.chord;
         while (high > 1.01 * low) {
             const double middle = std::sqrt(low) * std::sqrt(high);
             (expected(middle) <= aim * left() ? high : low) = middle;

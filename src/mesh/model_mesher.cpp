@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/model_mesher.h"
 
+#include "base/error.h"
 #include "base/watch.h"
 #include "mesh/domain/domain_mesher.h"
 #include "mesh/extent.h"
@@ -30,10 +31,20 @@ constexpr int most_in_vain = 6;
 // faces.
 constexpr double share_of_edges = 0.8;
 
-void append_edges(const ModelEdges &edges, Mesh &mesh) {
+// Whether a polyline keeps to the rule with the points that it has by now.
+bool is_reached(const ModelEdges &edges, const EdgeLine &line, const MeshRule &rule) {
+    bool result = line.reached && line.bound <= rule.chord;
+    for (size_t i = 1; result && rule.longest > 0 && i < line.points.size(); ++i) {
+        const auto point = [&](size_t k) { return edges.points()[static_cast<size_t>(line.points[k])]; };
+        result = length(point(i) - point(i - 1)) <= rule.longest;
+    }
+    return result;
+}
+
+void append_edges(const ModelEdges &edges, const MeshRule &rule, Mesh &mesh) {
     for (const EdgeLine &line : edges.lines()) {
-        mesh.edges.push_back(
-            {line.edge, mesh.edge_points.size(), line.points.size(), line.bound, line.reached});
+        mesh.edges.push_back({line.edge, mesh.edge_points.size(), line.points.size(), line.bound,
+                              is_reached(edges, line, rule)});
         mesh.edge_points.insert(mesh.edge_points.end(), line.points.begin(), line.points.end());
     }
 }
@@ -74,6 +85,11 @@ MeshDomain domain_of(const Spline &surface, const face::Covering &covering) {
 }
 
 void append(const DomainMesh &part, Mesh &mesh) {
+    constexpr size_t most = std::numeric_limits<int32_t>::max();
+    if (part.vertices.size() > most - mesh.vertices.size() ||
+        part.points.size() > most - mesh.points.size()) {
+        fail(Status::overflow, "a mesh of more than %zu vertices", most);
+    }
     const auto base = static_cast<int32_t>(mesh.vertices.size()),
                first = static_cast<int32_t>(mesh.points.size());
     MeshFace info;
@@ -122,7 +138,7 @@ std::optional<Mesh> ModelMesher::mesh(bool may_fail) {
     works_.clear();
     Mesh result;
     result.points = edges_.points();
-    append_edges(edges_, result);
+    append_edges(edges_, rule_, result);
     for (const DomainMesh &part : parts_) {
         append(part, result);
     }
@@ -147,7 +163,9 @@ void ModelMesher::mesh_faces(bool last) {
     }
 }
 
-// Decides, after a face, whether the work is going to be enough. `enough`: whether it was for this face.
+// Decides, after a face, whether the work is going to be enough. `enough`: whether it was for this face. Where
+// no work of faces is expected the answer is always yes: of single faces and coarse meshes, what there is when
+// the work ends is mostly closer than a coarser mesh that is made with the rest of it.
 void ModelMesher::judge(size_t face, bool enough) noexcept {
     const bool far =
         !enough && std::max(parts_[face].from_shape, parts_[face].from_mesh) > most_off * rule_.chord;
@@ -235,6 +253,9 @@ void ModelMesher::mesh_face(size_t face, bool last) {
 // corner, cross the more often the more vertices they have; borders that are merely close stop crossing once
 // their segments are close enough to their curves.
 bool ModelMesher::is_hopeless(size_t face, size_t crossed) noexcept {
+    if (crossed == 0) { // nothing was divided, nor is it now
+        return false;
+    }
     Crossings &own = crossings_[face];
     own.in_vain = crossed < own.fewest ? 0 : own.in_vain + 1;
     own.fewest = std::min(own.fewest, crossed);

@@ -232,6 +232,34 @@ TEST(MeshBorders, holes_across_the_seam_cost_no_more_than_others) {
     }
 }
 
+// Segments that close gaps are borders as curves are, wherever the seam is, and whichever parameters the curves have.
+TEST(MeshBorders, gaps_across_the_seam) {
+    for (const Ground &ground : {faces::cylinder(2, 3), faces::torus(3, 1)}) {
+        for (const double at : {0.5, 0.0, 1.0, 0.07, 0.96}) {
+            for (const bool back : {false, true}) {
+                for (const double end : {1.0, 0.7, 1e3 / 7}) {
+                    const auto place = [&](double u, double v) { return ground.at(at + u, v); };
+                    std::vector<Place> corners{place(-0.1, 0.2), place(-0.15, 0.8), place(0.2, 0.7),
+                                               place(0.1, 0.3)};
+                    if (back) {
+                        std::ranges::reverse(corners);
+                    }
+                    SplineData data{{1}, {4}, {{0, 0, end / 3, end / 2, end, end}}, 2, {}, {}, 0};
+                    for (const Place &x : corners) {
+                        data.points.insert(data.points.end(), x.begin(), x.end());
+                    }
+                    const Handle open = create(data);
+                    const Face face =
+                        faces::face_of(ground.surface.get(), {{open.get()}}, 1e-9, NURBS_KEEP_GAPS);
+                    for (const double chord : {0.1, 1e-3}) {
+                        expect_face(ground.surface.get(), face.get(), chord, 1);
+                    }
+                }
+            }
+        }
+    }
+}
+
 // In a corner of each, in the middle of a side, and of two holes.
 TEST(MeshBorders, loops_that_touch_in_a_point) {
     Random random(5);

@@ -49,6 +49,34 @@ TEST(MeshSizes, loops_of_100000_vertices) {
     EXPECT_NEAR(area_of(mesh), faces::area_of(face.get(), 1e-6), 0.02);
 }
 
+// A chord error that is too small for a number of its own is none that can be reached: the work ends the mesh.
+TEST(MeshSizes, chords_that_underflow) {
+    nurbs_mesh_options options;
+    require_ok(nurbs_mesh_options_init(&options, sizeof options));
+    options.relative_chord = 1e-30;
+    nurbs_call_options call;
+    require_ok(nurbs_call_options_init(&call, sizeof call));
+    call.work = 20'000'000;
+    for (const double size : {1.0, 1e-290, 1e-300, 1e-306}) {
+        Random random(3);
+        SplineData data{{2, 2}, {3, 3}, {{0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}}, 3, {}, {}, 0};
+        for (int i = 0; i < 9; ++i) {
+            data.points.insert(data.points.end(),
+                               {size * (i / 3), size * (i % 3), size * random.between(0, 1)});
+        }
+        const Handle ground = create(data);
+        const faces::Face face = faces::face_of(ground.get(), {}, 1e-9 * size);
+        nurbs_mesh *made = nullptr;
+        require_ok(nurbs_mesh_model_with(models::model_of({face.get()}).get(), &options, &call, &made));
+        const std::unique_ptr<nurbs_mesh, DestroyMesh> own(made);
+        double from_shape = -1;
+        int32_t reached = -1;
+        require_ok(nurbs_mesh_bound(made, &from_shape, nullptr, &reached));
+        EXPECT_EQ(reached, 0) << size;
+        EXPECT_LE(from_shape, size) << size;
+    }
+}
+
 namespace {
 
 struct Cost {

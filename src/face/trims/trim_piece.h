@@ -28,7 +28,8 @@ struct TrimPiece {
 
 // The parameter of the curve at a place of the piece, from 0 to 1.
 inline double parameter_at(const TrimPiece &piece, double place) noexcept {
-    return place == 1 ? piece.range.upper : (1 - place) * piece.range.lower + place * piece.range.upper;
+    const auto [lower, upper] = piece.range;
+    return place == 1 || lower == upper ? upper : (1 - place) * lower + place * upper;
 }
 
 // Pieces and their coefficients: records (u, v), or (u w, v w, w) if the piece is weighted.

@@ -135,6 +135,29 @@ Interval CurvePairing::around(double guess, Interval domain) noexcept {
     return {std::max(domain.lower, guess - step), std::min(domain.upper, guess + step)};
 }
 
+// One pair after the other is kept if it is between the one that was kept last and the next fixed one.
+void put_in_order(std::vector<PairedParam> &pairs) noexcept {
+    const bool rising = pairs.front().found <= pairs.back().found;
+    const auto is_before = [&](size_t a, size_t b) {
+        return rising ? pairs[a].found <= pairs[b].found : pairs[a].found >= pairs[b].found;
+    };
+    size_t kept = 0, fixed = 0;
+    for (size_t i = 1; i < pairs.size(); ++i) {
+        for (fixed = std::max(fixed, i); fixed + 1 < pairs.size() && !pairs[fixed].fixed; ++fixed) {
+        }
+        if (!pairs[i].fixed && !(is_before(kept, i) && is_before(i, fixed))) {
+            continue;
+        }
+        const PairedParam &from = pairs[kept], &to = pairs[i];
+        for (size_t k = kept + 1; k < i; ++k) {
+            const double step = to.given - from.given,
+                         share = step > 0 ? (pairs[k].given - from.given) / step : 0;
+            pairs[k].found = from.found * (1 - share) + to.found * share;
+        }
+        kept = i;
+    }
+}
+
 double CurvePairing::on_edge(double s) const {
     if (s_.empty() || s == curve_domain_.lower || s == curve_domain_.upper) {
         return by_line(s, curve_domain_, edge_domain_);

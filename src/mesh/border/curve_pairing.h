@@ -18,8 +18,8 @@ public:
     // `against`: whether curve and edge run in opposite directions.
     CurvePairing(const face::Face &face, const Spline &curve, const Spline &edge, bool against, double near);
 
-    // The parameter of the edge for one of the curve, and the other way round. Callers take both maps to be
-    // monotonic.
+    // The parameter of the edge for one of the curve, and the other way round. Foot points of places that are
+    // near each other may be in the wrong order where curve and edge are apart: see put_in_order().
     [[nodiscard]] double on_edge(double s) const;
     [[nodiscard]] double on_curve(double t) const;
     // The point of the surface at a parameter of the curve.
@@ -45,5 +45,16 @@ private:
     // Empty: the map is linear.
     std::vector<double> s_, t_;
 };
+
+// A parameter of one curve, and what was found for it on the other.
+struct PairedParam {
+    double given, found;
+    bool fixed = false; // whether it has to stay
+};
+
+// Puts those of the found parameters that are out of order between their neighbours, in proportion to the
+// given ones. Preconditions: the given ones rise, the first and the last pair are fixed, and the fixed ones
+// are in order, from the first to the last. All may be equal.
+void put_in_order(std::vector<PairedParam> &pairs) noexcept;
 
 } // namespace nrb::mesh

@@ -59,6 +59,11 @@ EdgeUses::EdgeUses(const model::Model &model, double chord) : model_(model), cho
     for (int64_t number = 0; number < std::ssize(model_.faces); ++number) {
         add_fixed(number);
     }
+    for (EdgeUse &use : uses_) {
+        if (use.fixed.size() > 1) {
+            put_fixed_in_order(use);
+        }
+    }
 }
 
 void EdgeUses::set_uses() {
@@ -180,6 +185,25 @@ void EdgeUses::add_fixed(int64_t number) {
     }
 }
 
+// Puts the fixed places of a use in one order on curve and edge.
+void EdgeUses::put_fixed_in_order(EdgeUse &use) const {
+    const Interval domain = curve_of(use).axis(0).domain();
+    std::vector<FixedPlace *> places;
+    for (FixedPlace &place : use.fixed) {
+        places.push_back(&place);
+    }
+    std::ranges::sort(places, {}, &FixedPlace::curve);
+    std::vector<PairedParam> pairs{{domain.lower, use.pairing->on_edge(domain.lower), true}};
+    for (const FixedPlace *place : places) {
+        pairs.push_back({place->curve, place->edge});
+    }
+    pairs.push_back({domain.upper, use.pairing->on_edge(domain.upper), true});
+    put_in_order(pairs);
+    for (size_t i = 0; i < places.size(); ++i) {
+        places[i]->edge = pairs[i + 1].found;
+    }
+}
+
 void EdgeUses::fix(int64_t number, const face::BorderPieces &border, const LinePassage &passage) {
     const face::BorderPlace place = border.place_of(*passage.piece, passage.place);
     fix_at(uses_[at(number, place.loop, place.index)], place.param, passage.at);
@@ -216,9 +240,9 @@ void EdgeUses::fix_behind(int64_t number, const face::BorderPieces &border, cons
     const auto count = static_cast<int32_t>(face(number).loops()[static_cast<size_t>(place.loop)].size());
     const int32_t before = turned ? (place.index + count - 1) % count : place.index;
     if (const std::optional<size_t> found = behind(number, place.loop, before)) {
-        EdgeUse &use = uses_[*found];
-        const double param = turned ? 1 - passage.place : passage.place;
-        use.fixed.push_back({param, use.pairing->on_edge(param), passage.at});
+        const Interval part = border.part_behind(*passage.piece);
+        const double share = parameter_in(part, passage.place);
+        fix_at(uses_[*found], turned ? 1 - share : share, passage.at);
     }
 }
 

@@ -85,6 +85,7 @@ private:
     void add_fixed(int64_t number);
     void fix(int64_t number, const face::BorderPieces &border, const LinePassage &passage);
     void fix_at(EdgeUse &use, double param, const face::Point2 &place) const;
+    void put_fixed_in_order(EdgeUse &use) const;
     void fix_jump(int64_t number, const face::BorderPieces &border, const face::TrimPiece &piece);
     void fix_behind(int64_t number, const face::BorderPieces &border, const LinePassage &passage);
 

@@ -222,8 +222,9 @@ void BorderWalk::collect(const face::TrimPiece &piece, double from, double to) {
     }
 }
 
-// Adds the vertices of a segment that closes a gap. `piece`: the segment, in one copy of the domain; vertices
-// are placed on it in proportion to their parameters.
+// Adds the vertices of a segment that closes a gap. `piece`: the part of it in one copy of the domain;
+// vertices are placed on it in proportion to their parameters. Those where the segment passes into the next
+// copy belong to both parts.
 void BorderWalk::add_behind(const face::TrimPiece &piece) {
     const face::BorderPlace at = border_.place_of(piece, 0);
     const bool turned = border_.is_turned(piece);
@@ -234,18 +235,24 @@ void BorderWalk::add_behind(const face::TrimPiece &piece) {
         return;
     }
     line_ = edges_.line_behind(number_, at.loop, before);
+    constexpr double room = 0x1p-40;
+    const Interval part = border_.part_behind(piece);
     const double length = vertices.back().param - vertices.front().param;
     for (size_t i = 0; i < vertices.size(); ++i) {
         const CurveVertex &vertex = vertices[turned ? vertices.size() - 1 - i : i];
         const double share = turned ? (vertices.back().param - vertex.param) / length
                                     : (vertex.param - vertices.front().param) / length;
+        if (share < part.lower - room || share > part.upper + room) {
+            continue;
+        }
         hull_.clear();
         if (vertex.place) {
             arrive(*vertex.place, vertex);
             continue;
         }
-        arrive({piece.start[0] * (1 - share) + piece.end[0] * share,
-                piece.start[1] * (1 - share) + piece.end[1] * share},
+        const double own = std::clamp((share - part.lower) / (part.upper - part.lower), 0.0, 1.0);
+        arrive({piece.start[0] * (1 - own) + piece.end[0] * own,
+                piece.start[1] * (1 - own) + piece.end[1] * own},
                vertex);
     }
 }

@@ -3,13 +3,13 @@
 
 #include "base/numbers.h"
 #include "base/watch.h"
-#include "eval/curve_point.h"
 #include "face/deviation.h"
 #include "mesh/border/under_segments.h"
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace nrb::mesh {
 
@@ -61,12 +61,12 @@ bool is_beside(double param, Interval segment) noexcept {
 } // namespace
 
 ModelEdges::ModelEdges(const model::Model &model, const PolylineRule &rule)
-    : uses_(model, rule.chord), lines_(uses_.line_count()), vertices_(uses_.all().size()) {
+    : rule_(rule), uses_(model, rule.chord), lines_(uses_.line_count()), vertices_(uses_.all().size()) {
     Steps steps(std::ssize(lines_));
     for (size_t line = 0; line < lines_.size(); ++line, steps.next()) {
         lines_[line].edge = line < model.edges.size() ? static_cast<int64_t>(line) : -1;
         uses_.align_fixed(line);
-        make_line(line, rule);
+        make_line(line);
     }
     for (size_t use = 0; use < vertices_.size(); ++use) {
         set_vertices(use);
@@ -98,13 +98,14 @@ std::vector<double> ModelEdges::distances_of(size_t line, const std::vector<doub
     return result;
 }
 
-void ModelEdges::make_line(size_t line, const PolylineRule &rule) {
+void ModelEdges::make_line(size_t line) {
     std::vector<double> fixed = uses_.fixed_params(line);
-    Polyline polyline = polyline_of(uses_.curve(line), rule, fixed);
+    Polyline polyline = polyline_of(uses_.curve(line), rule_, fixed);
     Segments before;
-    for (int round = 0; round < most_polyline_rounds && std::isfinite(rule.chord) && !work_ended(); ++round) {
+    for (int round = 0; round < most_polyline_rounds && std::isfinite(rule_.chord) && !work_ended();
+         ++round) {
         Segments now{polyline.params, distances_of(line, polyline.params)};
-        const std::vector<double> more = places_to_add(now, before, rule.chord);
+        const std::vector<double> more = places_to_add(now, before, rule_.chord);
         if (more.empty()) {
             break;
         }
@@ -113,7 +114,7 @@ void ModelEdges::make_line(size_t line, const PolylineRule &rule) {
         fixed.insert(fixed.end(), more.begin(), more.end());
         std::ranges::sort(fixed);
         fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-        polyline = polyline_of(uses_.curve(line), rule, fixed);
+        polyline = polyline_of(uses_.curve(line), rule_, fixed);
     }
     set_points(line, polyline);
 }
@@ -141,27 +142,30 @@ int32_t ModelEdges::end_of_line(size_t line, bool upper, const Vector3 &x) {
     return corner(borders.coedge(borders.number(use.face, use.loop, index)).start, x);
 }
 
-void ModelEdges::set_points(size_t line, const Polyline &polyline) {
-    EdgeLine &out = lines_[line];
-    const int dim = uses_.curve(line).dim();
-    const auto point = [&](size_t i) {
-        return vector_of(polyline.points.data() + i * static_cast<size_t>(dim), dim);
-    };
-    const size_t count = polyline.params.size();
-    out.params = polyline.params;
-    for (const double bound : polyline.bounds) {
-        out.bound = std::max(out.bound, bound);
-    }
-    out.reached = polyline.reached;
-    for (size_t i = 0; i < count; ++i) {
-        const bool first = i == 0, last = i + 1 == count;
-        if ((first || last) && !uses_.users(line).empty()) {
-            out.points.push_back(end_of_line(line, last, point(i)));
+// Points of vertices that there were before stay. What points are moved to those of corners and of other edges
+// comes on top of the bound.
+void ModelEdges::set_points(size_t number, const Polyline &polyline) {
+    EdgeLine &line = lines_[number];
+    const int dim = uses_.curve(number).dim();
+    const std::vector<double> params = std::exchange(line.params, polyline.params);
+    const std::vector<int32_t> points = std::exchange(line.points, {});
+    double moved = 0;
+    for (size_t i = 0, known = 0; i < line.params.size(); ++i) {
+        const Vector3 x = vector_of(polyline.points.data() + i * static_cast<size_t>(dim), dim);
+        const bool first = i == 0, last = i + 1 == line.params.size();
+        if (known < params.size() && params[known] == line.params[i]) {
+            line.points.push_back(points[known++]);
+        } else if ((first || last) && !uses_.users(number).empty()) {
+            line.points.push_back(end_of_line(number, last, x));
         } else {
-            out.points.push_back(static_cast<int32_t>(points_.size()));
-            points_.push_back(point(i));
+            line.points.push_back(static_cast<int32_t>(points_.size()));
+            points_.push_back(x);
         }
+        moved = std::max(moved, length(points_[static_cast<size_t>(line.points.back())] - x));
     }
+    const double most = polyline.bounds.empty() ? 0 : std::ranges::max(polyline.bounds);
+    line.bound = moved > 0 ? (most + moved) * (1 + 4 * eps) : most;
+    line.reached = polyline.reached;
 }
 
 // Updates the vertices of all uses of a polyline. Returns the faces that these are of.
@@ -174,34 +178,27 @@ std::vector<int64_t> ModelEdges::update_users(size_t line) {
     return faces;
 }
 
-// The bound of the polyline stays as it is: each part of the curve is within it of the segment that is
-// divided, a convex set.
+// A part of the curve may be farther from its part of a divided segment than from the whole, up to twice as
+// far where the segment is divided near one end. So the segments are bounded anew, and divided further where
+// that takes them off the rule.
 std::vector<int64_t> ModelEdges::add_vertices(int64_t number, std::span<const double> params) {
     const auto at = static_cast<size_t>(number);
-    EdgeLine &line = lines_[at];
-    const size_t known = line.params.size();
+    const std::vector<double> &known = lines_[at].params;
     std::vector<double> all;
-    std::vector<int32_t> points;
     auto next = params.begin();
-    for (size_t i = 0; i < known; ++i) {
-        for (; next != params.end() && *next < line.params[i]; ++next) {
-            if (i > 0 && !is_beside(*next, {all.back(), line.params[i]})) {
+    for (size_t i = 0; i < known.size(); ++i) {
+        for (; next != params.end() && *next < known[i]; ++next) {
+            if (i > 0 && !is_beside(*next, {all.back(), known[i]})) {
                 all.push_back(*next);
-                points.push_back(add_point(at, *next));
             }
         }
-        all.push_back(line.params[i]);
-        points.push_back(line.points[i]);
+        all.push_back(known[i]);
     }
-    line.params = std::move(all);
-    line.points = std::move(points);
-    return line.params.size() > known ? update_users(at) : std::vector<int64_t>{};
-}
-
-int32_t ModelEdges::add_point(size_t line, double param) {
-    const std::vector<double> x = eval::curve_point(uses_.curve(line), param, false);
-    points_.push_back(vector_of(x.data(), uses_.curve(line).dim()));
-    return static_cast<int32_t>(points_.size() - 1);
+    if (all.size() == known.size()) {
+        return {};
+    }
+    set_points(at, polyline_of(uses_.curve(at), rule_, all));
+    return update_users(at);
 }
 
 // If no vertex of a polyline moves farther than some distance, no point of it does: its bound grows by no
@@ -249,14 +246,23 @@ void ModelEdges::set_vertices(size_t number) {
     }
     vertices.clear();
     vertices.reserve(line.params.size());
+    std::vector<PairedParam> pairs;
     auto known = before.cbegin();
     for (size_t i = 0; i < line.params.size(); ++i) {
-        if (known != before.cend() && known->edge_param == line.params[i]) {
+        const bool stays = known != before.cend() && known->edge_param == line.params[i];
+        if (stays) {
             vertices.push_back(*known++);
             vertices.back().point = line.points[i];
         } else {
             vertices.push_back(vertex_of(number, line.params[i], line.points[i]));
         }
+        const bool end = i == 0 || i + 1 == line.params.size();
+        pairs.push_back(
+            {line.params[i], vertices.back().param, end || stays || vertices.back().place.has_value()});
+    }
+    put_in_order(pairs);
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        vertices[i].param = pairs[i].found;
     }
     if (vertices.front().param > vertices.back().param) {
         std::ranges::reverse(vertices);

@@ -17,7 +17,9 @@ struct EdgeLine {
     std::vector<int32_t> points{}; // from the start of the edge to its end
     std::vector<double> params{};  // of these points, on the edge
     double bound = 0;              // of the Hausdorff distance from the edge
-    bool reached = true;           // whether each segment is proven to keep to the rule
+    // Whether each segment is proven to keep to the rule, before points are moved to those of other edges:
+    // that only `bound` takes into account.
+    bool reached = true;
 };
 
 // A vertex of the polyline of an edge, as one face has it on its curve in the domain.
@@ -54,24 +56,25 @@ public:
     [[nodiscard]] int64_t line_of(int64_t face, int32_t loop, int32_t index) const noexcept {
         return static_cast<int64_t>(uses_[uses_.at(face, loop, index)].line);
     }
-    // Adds vertices to a polyline at rising parameters, except where it has one up to rounding. Returns the
-    // faces that have the new vertices. Points keep their numbers.
+    // Adds vertices to a polyline at rising parameters, except where it has one up to rounding, and further
+    // ones where parts of a divided segment do not keep to the rule. Returns the faces that have the new
+    // vertices. Points keep their numbers.
     std::vector<int64_t> add_vertices(int64_t number, std::span<const double> params);
     // Replaces the second point of each pair by the first one: a face cannot tell them apart. Returns the
     // faces that had replaced points.
     std::vector<int64_t> unite(const std::vector<std::array<int32_t, 2>> &pairs);
 
 private:
-    void make_line(size_t line, const PolylineRule &rule);
+    void make_line(size_t line);
     [[nodiscard]] std::vector<double> distances_of(size_t line, const std::vector<double> &params) const;
-    void set_points(size_t line, const Polyline &polyline);
+    void set_points(size_t number, const Polyline &polyline);
     int32_t end_of_line(size_t line, bool upper, const Vector3 &x);
     int32_t corner(int64_t number, const Vector3 &x);
     std::vector<int64_t> update_users(size_t line);
-    int32_t add_point(size_t line, double param);
     void set_vertices(size_t number);
     [[nodiscard]] CurveVertex vertex_of(size_t number, double param, int32_t point) const;
 
+    PolylineRule rule_;
     EdgeUses uses_;
     std::vector<EdgeLine> lines_;
     std::vector<std::vector<CurveVertex>> vertices_; // of the uses

@@ -52,15 +52,19 @@ void PieceBound::place_corners(const CutPolygon &polygon) {
             params_.push_back(std::clamp(place.at[k], block_.lower[k], block_.upper[k]));
         }
     }
-    // The surface is continuous in a block, so that limits from both sides agree at breaks inside.
-    eval::AxisRules rules{};
-    for (size_t k = 0; k < 2; ++k) {
-        rules[k].left =
-            std::ranges::any_of(places, [&](const CutPlace &x) { return x.at[k] >= block_.upper[k]; });
-    }
+    // The surface is continuous in a block, so that limits from both sides agree at breaks inside. At its ends
+    // the limits are those from inside, each place by itself: the surface may jump at both ends.
     const int dim = surface_.dim();
     values_.assign(static_cast<size_t>(n * 3), 0);
-    eval::evaluate_points(surface_, rules, 0, {params_.data(), n, 2, 2, 1}, {values_.data(), n, dim, 3, 1});
+    for (size_t i = 0; i < places.size(); ++i) {
+        const double *param = params_.data() + 2 * i;
+        eval::AxisRules rules{};
+        for (size_t k = 0; k < 2; ++k) {
+            rules[k].left = param[k] >= block_.upper[k];
+        }
+        eval::evaluate_points(surface_, rules, 0, {param, 1, 2, 2, 1},
+                              {values_.data() + 3 * i, 1, dim, 3, 1});
+    }
     corners_.clear();
     for (size_t i = 0; i < places.size(); ++i) {
         std::array<double, 8> placed{};

@@ -141,7 +141,7 @@ AngleRefinement::Place AngleRefinement::walk(int32_t t, const Shares &shares) co
         }
         const NetSide &side = net_[t].sides[out];
         if (side.stays) {
-            place.barrier = 4 * t + static_cast<int32_t>(out);
+            place.barrier = int64_t{4} * t + static_cast<int64_t>(out);
             return place;
         }
         from = t;
@@ -160,24 +160,24 @@ bool AngleRefinement::is_near(const Vector3 &x, int32_t t, double distance) cons
 }
 
 // A side of a triangle that stays and that a place is too near to, as in Place::barrier; -1: none.
-int32_t AngleRefinement::side_seen(const Vector3 &x, int32_t t) const noexcept {
+int64_t AngleRefinement::side_seen(const Vector3 &x, int32_t t) const noexcept {
     const auto &s = net_[t].sites;
     for (size_t k = 0; k < 3; ++k) {
         const NetSide &side = net_[t].sides[k];
         const double seen = side.stays ? angle_at(x, at(s[(k + 1) % 3]), at(s[(k + 2) % 3])) : 0;
         if (seen > (side.divides ? most_seen_of_lines : most_seen)) {
-            return 4 * t + static_cast<int32_t>(k);
+            return int64_t{4} * t + static_cast<int64_t>(k);
         }
     }
     return -1;
 }
 
 // The same for all triangles that flips at the new place are going to change.
-int32_t AngleRefinement::side_in_the_way(const Vector3 &x, int32_t triangle) const {
+int64_t AngleRefinement::side_in_the_way(const Vector3 &x, int32_t triangle) const {
     std::vector<std::pair<int32_t, int32_t>> open{{triangle, -1}};
     for (size_t i = 0; i < open.size() && i < most_ahead; ++i) {
         const auto [t, from] = open[i];
-        if (const int32_t side = side_seen(x, t); side >= 0) {
+        if (const int64_t side = side_seen(x, t); side >= 0) {
             return side;
         }
         const auto &s = net_[t].sites;

@@ -32,8 +32,9 @@ bool AngleRefinement::fails(int32_t t) const {
         least_angle(s) >= rule_.angle) {
         return false;
     }
-    const int32_t barrier = place_for(t).barrier;
-    return barrier < 0 || net_[barrier / 4].sides[static_cast<size_t>(barrier % 4)].divides;
+    const int64_t barrier = place_for(t).barrier;
+    return barrier < 0 ||
+           net_[static_cast<int32_t>(barrier / 4)].sides[static_cast<size_t>(barrier % 4)].divides;
 }
 
 // A triangle at a pole is not bad, nor is one whose smallest angle lies between two given sides, as at the
@@ -130,9 +131,9 @@ bool AngleRefinement::improve(int32_t t) {
         return false;
     }
     const Place place = place_for(t);
-    const bool done = place.barrier >= 0
-                          ? halve(place.barrier / 4, static_cast<size_t>(place.barrier % 4), shortest)
-                          : place.triangle >= 0 && insert(place, shortest * least_of_shortest);
+    const bool done = place.barrier >= 0 ? halve(static_cast<int32_t>(place.barrier / 4),
+                                                 static_cast<size_t>(place.barrier % 4), shortest)
+                                         : place.triangle >= 0 && insert(place, shortest * least_of_shortest);
     return done || halve_longest(t, shortest * least_half);
 }
 

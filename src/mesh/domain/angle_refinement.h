@@ -72,7 +72,7 @@ private:
     struct Place {
         int32_t triangle = -1; // that it is in; -1: none
         std::array<double, 2> param{};
-        int32_t barrier = -1; // 4 t + k: side k of triangle t stays, and is in the way; -1: none
+        int64_t barrier = -1; // 4 t + k: side k of triangle t stays, and is in the way; -1: none
     };
 
     [[nodiscard]] Vector3 at(int32_t site) const noexcept {
@@ -92,8 +92,8 @@ private:
     [[nodiscard]] Shares wanted_place(int32_t t, size_t k) const noexcept;
     [[nodiscard]] Place walk(int32_t triangle, const Shares &shares) const noexcept;
     [[nodiscard]] bool is_near(const Vector3 &x, int32_t triangle, double distance) const noexcept;
-    [[nodiscard]] int32_t side_seen(const Vector3 &x, int32_t triangle) const noexcept;
-    [[nodiscard]] int32_t side_in_the_way(const Vector3 &x, int32_t triangle) const;
+    [[nodiscard]] int64_t side_seen(const Vector3 &x, int32_t triangle) const noexcept;
+    [[nodiscard]] int64_t side_in_the_way(const Vector3 &x, int32_t triangle) const;
     [[nodiscard]] Vector3 point_in(int32_t triangle, const std::array<double, 2> &param) const noexcept;
     [[nodiscard]] Place place_for(int32_t triangle) const;
     // A new site in a triangle; -1: there is one already.

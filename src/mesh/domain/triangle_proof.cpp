@@ -274,7 +274,7 @@ void TriangleProof::set_edge(const SiteTriangle &triangle, const Placed &placed,
         const double high = (all * all / 8 * bound.bends[k] +
                              shares[k] * all / 2 * std::max(bound.bends[i], bound.bends[j])) *
                                 all * (1 + 2 * shares[k]) +
-                            bound.flat;
+                            all * bound.flat;
         // In other blocks the second derivatives are not known: there a step may lead in any direction.
         const double up = one_block ? high : high + moves[k];
         const double apart = diagonal(up, bound.across[k] + moves[k]) * (1 + 16 * eps) +

@@ -32,9 +32,10 @@ Range constant(const Range &range) noexcept {
     return {range.middle, 0, 0, range.width() * (1 + 4 * eps)};
 }
 
-void add_constant(const Range &other, Range &range) noexcept {
-    const double low = std::min(range.middle - range.radius, other.middle - other.radius),
-                 high = std::max(range.middle + range.radius, other.middle + other.radius);
+// The result is a constant, with the slopes of both in its radius.
+void join(const Range &other, Range &range) noexcept {
+    const double low = std::min(range.middle - range.width(), other.middle - other.width()),
+                 high = std::max(range.middle + range.width(), other.middle + other.width());
     range = {(low + high) / 2, 0, 0, (high - low) / 2 + 4 * eps * std::max(std::abs(low), std::abs(high))};
 }
 
@@ -44,10 +45,10 @@ Hessian Hessian::anywhere() const noexcept {
     return {constant(uu), constant(uv), constant(vv)};
 }
 
-void Hessian::add(const Hessian &constants) noexcept {
-    add_constant(constants.uu, uu);
-    add_constant(constants.uv, uv);
-    add_constant(constants.vv, vv);
+void Hessian::add(const Hessian &other) noexcept {
+    join(other.uu, uu);
+    join(other.uv, uv);
+    join(other.vv, vv);
 }
 
 Hessian Hessian::in_units(double u, double v) const noexcept {

@@ -37,10 +37,10 @@ struct Hessian {
         return uu.radius * u * u + 2 * uv.radius * std::abs(u * v) + vv.radius * v * v;
     }
     // anywhere(): the same ranges as constants with larger radii. add(): extends the ranges by those over
-    // another cell; both have to be constants. in_units(): the second derivatives by parameters in other
+    // another cell, and makes them constants. in_units(): the second derivatives by parameters in other
     // units, where u and v are the new units measured in the old ones.
     [[nodiscard]] Hessian anywhere() const noexcept;
-    void add(const Hessian &constants) noexcept;
+    void add(const Hessian &other) noexcept;
     [[nodiscard]] Hessian in_units(double u, double v) const noexcept;
 };
 

@@ -51,7 +51,9 @@ void MeshBound::set_point(int32_t number) {
             }
         }
     }
-    if (point.angle > (point.on_border ? 2 : 3) * std::numbers::pi) {
+    // As angles are seen, less than twice around; a fan at the border may go around once.
+    const double cosine = 1 - point.turned * point.turned / 2;
+    if (!(point.angle < (point.on_border ? 2 : 4) * std::numbers::pi * cosine)) {
         point.turned = 2;
     }
 }

@@ -8,8 +8,10 @@
 //
 // By the star. Let the normals of its triangles be within an angle a < 60 degrees of n, so that the star lies
 // over the plane, and let m be the least altitude of its triangles. The star must not cover the plane more
-// than once: around each corner of T the angles add up to less than 3 pi, and no side at the corner is on the
-// border of the mesh.
+// than once. Around each corner of T let no side be on the border of the mesh; then the angles, as seen from
+// any direction near n, add up to a multiple of 2 pi, which must not be 4 pi. An angle in a plane that is
+// turned by b looks at most 1 / cos b times as large as it is: so let the angles in space add up to less than
+// 4 pi cos b, as seen along the mean of the normals there, which none is farther than b from.
 // - Consider the function that is 1 at the corners of T, 0 at all other corners, and linear on each triangle.
 //   Its gradient is at most 1 / m, so every path from T out of the star has a length of at least m cos a.
 // - So a point x of S(T), at height h above the plane of T and out of T by r, is over the star if

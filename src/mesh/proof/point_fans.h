@@ -32,7 +32,8 @@ public:
     }
 
 private:
-    std::vector<int32_t> first_, triangles_;
+    std::vector<int64_t> first_; // up to three for each triangle
+    std::vector<int32_t> triangles_;
 };
 
 } // namespace nrb::mesh

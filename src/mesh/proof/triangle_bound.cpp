@@ -128,7 +128,7 @@ Bend Triangle::bend(const Vector3 &d, const Vector3 &p) const noexcept {
 //
 //     (N - sum l_i N_i) / w + sum l_i (N_i / w_i) (w_i / w - 1).
 double Triangle::equal_parameters() const noexcept {
-    return (bends_[3] / 8 / least_weight_ + longest_ * (largest_weight_ / least_weight_ - 1)) * rounding;
+    return (bends_[3] / 8 + longest_ * (largest_weight_ - least_weight_)) / least_weight_ * rounding;
 }
 
 // Whether the image of side k, projected onto the line of the side, stays between its ends. At the place s of
@@ -178,9 +178,13 @@ bool Triangle::is_cut(size_t k, double half_cosine_squared) const noexcept {
     return fits(outwards.falling(i), outwards.falling(j), outwards.falling(k));
 }
 
-// How far the corners are from a plane with this normal that should contain them all.
+// What the corners add to heights above a plane with this normal that should contain them all: if they are
+// no farther than e from it, then N there is at most w_i e, and N / w in between at most e times the ratio of
+// the weights.
 double Triangle::off(const Vector3 &normal) const noexcept {
-    return std::max(std::abs(dot(normal, sides_[1])), std::abs(dot(normal, sides_[2]))) + 8 * eps * longest_;
+    return (std::max(std::abs(dot(normal, sides_[1])), std::abs(dot(normal, sides_[2]))) +
+            8 * eps * longest_) *
+           weighed();
 }
 
 // Bounds the distance of S from a side. Where the opposite corner has its foot on the side, in the domain,
@@ -213,11 +217,12 @@ double Triangle::beside_segment() const noexcept {
                   least = std::abs(along.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
     const Vector3 across = unit(cross(along, least)), up = cross(along, across);
     const Vector3 &from = corner(k + 1).point, &to = corner(k + 2).point, &other = corner(k).point;
-    const double off = length(cross(other - from, along)) + 8 * eps * longest_;
+    const double slack = 8 * eps * longest_ * weighed(),
+                 off = length(cross(other - from, along)) * weighed() + slack;
     const double beside =
         diagonal(bend(across, from).both(), bend(up, from).both()) / least_weight_ + 2 * off;
     const double beyond = std::max(bend(along, to).above(), bend(-1 * along, from).above()) / least_weight_;
-    return lengths_[k] > 0 ? diagonal(beside, beyond + 8 * eps * longest_) * rounding : infinity;
+    return lengths_[k] > 0 ? diagonal(beside, beyond + slack) * rounding : infinity;
 }
 
 // An upper bound on the angle, at most 2e-4 too large: formula 4.4.45 of Abramowitz and Stegun has an error
@@ -309,7 +314,7 @@ TriangleBound Triangle::bound() const noexcept {
     }
     const Vector3 normal = (1 / area) * product;
     const Bend heights = bend(normal, corners_[0].point);
-    const double flat = off(normal), slack = flat + 8 * eps * longest_;
+    const double flat = off(normal), slack = flat + 8 * eps * longest_ * weighed();
     TriangleBound result;
     result.normal = normal;
     result.flat = flat;

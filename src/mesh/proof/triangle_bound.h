@@ -59,7 +59,8 @@ struct TriangleBound {
     std::array<double, 3> sides{}; // the same for each side
     std::array<double, 3> outs{};  // how far, in the plane, the surface comes out over each side
     // across: distance of the images of the sides from these in the plane alone. bends: the second
-    // derivatives of the height along the sides. flat: distance of the corners from the plane.
+    // derivatives of the height along the sides. flat: what the corners add to the height, since they are in
+    // the plane only to rounding.
     std::array<double, 3> across{infinity, infinity, infinity}, bends{};
     double flat = 0;
     // Distance, both ways, between the mesh and what lies between border sides and their curves. Set by

@@ -4,10 +4,12 @@
 
 #include "eval/evaluate.h"
 #include "mesh/proof/distance.h"
+#include "mesh/proof/mesh_bound.h"
 #include "support/generators.h"
 #include "unit/shapes.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace triangle_bound_test {
 
@@ -182,6 +184,60 @@ TEST(HessianBox, no_step_moves_farther) {
     EXPECT_GE(most, 0.99); // of small cells it is nearly all
 }
 
+// Whatever ranges are added, with slopes or without.
+TEST(HessianBox, joined_ranges_contain_both) {
+    support::Random random(4);
+    const auto range = [&] {
+        const auto number = [&] { return random.between(-1, 1); };
+        return Range{number(), random.chance(70) ? number() : 0, random.chance(70) ? number() : 0,
+                     std::abs(number())};
+    };
+    for (int i = 0; i < 200; ++i) {
+        const Hessian a{range(), range(), range()}, b{range(), range(), range()};
+        Hessian both = a;
+        both.add(b);
+        for (const Range Hessian::*part : {&Hessian::uu, &Hessian::uv, &Hessian::vv}) {
+            for (const Hessian &own : {a, b}) {
+                EXPECT_LE((own.*part).middle + (own.*part).width(),
+                          (both.*part).middle + (both.*part).radius);
+                EXPECT_GE((own.*part).middle - (own.*part).width(),
+                          (both.*part).middle - (both.*part).radius);
+            }
+        }
+    }
+}
+
+// Of a part that reaches past a break by less than rounding tells.
+TEST(HessianBox, holds_where_a_part_ends_just_behind_a_break) {
+    support::Random random(6);
+    for (int i = 0; i < 100; ++i) {
+        std::vector<double> points;
+        for (int k = 0; k < 5 * 2; ++k) {
+            points.insert(points.end(), {k / 2 - 2.0, k % 2 - 0.5, random.between(-1, 1)});
+        }
+        const SplinePtr given =
+            make_spline({make_knot_vector(3, {-1, -1, -1, -1, 0, 1, 1, 1, 1}), shapes::bezier_axis(1)}, 3,
+                        Form::polynomial, std::move(points));
+        Measured measured(given);
+        const Rectangle part{{-1, 0}, {random.chance(50) ? 1e-17 : 0.0, 1}};
+        const HessianBox box = measured.box(part);
+        const auto second = [&](double u, double v) { // of the height, by differences of a cubic
+            const double h = 0.05;
+            return (1 / (h * h)) *
+                   (measured.point({u - h, v}) - 2 * measured.point({u, v}) + measured.point({u + h, v}));
+        };
+        for (int k = 0; k < 20; ++k) {
+            const double u = random.between(-0.95, -0.05), v = random.unit();
+            const Vector3 exact = second(u, v);
+            for (size_t c = 0; c < 3; ++c) {
+                const Range &range = box.of(c).uu;
+                const double told = range.at(u + 0.5, v - 0.5), found = dot(box.axes()[c], exact);
+                EXPECT_NEAR(found, told, range.radius + 1e-9) << i;
+            }
+        }
+    }
+}
+
 // Small triangles of a smooth surface are told from it by little more than they are: else meshes have too many triangles.
 TEST(TriangleBound, is_sharp_for_small_triangles) {
     support::Random random(7);
@@ -220,6 +276,82 @@ TEST(TriangleBound, by_parts_holds_for_samples) {
             EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
             EXPECT_LE(bound.height, std::max(best.height, told)) << i;
         }
+    }
+}
+
+// What lies beyond a jump does not count, at either end of a block.
+TEST(TriangleBound, by_parts_is_of_the_block_alone) {
+    support::Random random(13);
+    for (int i = 0; i < 20; ++i) {
+        std::vector<double> own, all;
+        for (int u = 0; u < 5; ++u) {
+            for (int v = 0; v < 6; ++v) {
+                const std::array<double, 3> x{u + random.between(-0.3, 0.3), v + (v / 2) * 3.0,
+                                              random.between(-0.5, 0.5)};
+                all.insert(all.end(), x.begin(), x.end());
+                if (v / 2 == 1) {
+                    own.insert(own.end(), x.begin(), x.end());
+                }
+            }
+        }
+        const KnotVectorPtr axis = make_knot_vector(2, {0, 0, 0, 1, 2, 3, 3, 3});
+        const SplinePtr alone =
+            make_spline({axis, make_knot_vector(1, {1, 1, 2, 2})}, 3, Form::polynomial, std::move(own));
+        const SplinePtr among = make_spline({axis, make_knot_vector(1, {0, 0, 1, 1, 2, 2, 3, 3})}, 3,
+                                            Form::polynomial, std::move(all));
+        const std::array<Param, 3> params{{{0.2, 1}, {2.7, 1}, {1.5, 2}}};
+        const Rectangle block{{0, 1}, {3, 2}};
+        std::vector<double> heights;
+        for (const SplinePtr &surface : {alone, among}) {
+            const pieces::PieceGrid &grid = pieces::piece_grid_of(*surface);
+            CellNets nets(grid);
+            std::array<TriangleCorner, 3> corners;
+            for (size_t k = 0; k < 3; ++k) {
+                const eval::AxisRules rules{{{}, {.left = params[k][1] == 2}}};
+                std::array<double, 3> at{};
+                std::array<double, 4> placed{};
+                eval::evaluate_points(*surface, rules, 0, {params[k].data(), 1, 2, 2, 1},
+                                      {at.data(), 1, 3, 3, 1});
+                grid.place(at.data(), placed.data());
+                corners[k] = {params[k], {placed[0], placed[1], placed[2]}};
+            }
+            PieceRange pieces = nets.pieces_in(block);
+            const TriangleBound bound = PieceBound(*surface, nets).bound(corners, pieces, block, 0);
+            heights.push_back(bound.height / grid.scaled(1));
+        }
+        EXPECT_NEAR(heights[0], heights[1], 1e-9);
+    }
+}
+
+// Around the first corner of a level triangle there are others on a steep cone, as seen once or twice around. Although their angles
+// in space add up to less than 3 pi, stars that look twice around prove nothing.
+TEST(MeshBound, stars_that_look_twice_around_do_not_count) {
+    constexpr int count = 24;
+    constexpr double tilt = 0.85, own_angle = 0.25;
+    for (const int turns : {1, 2}) {
+        const double seen = 2 * std::numbers::pi * turns - own_angle;
+        std::vector<MeshTriangle> triangles;
+        std::vector<TriangleBound> bounds;
+        double angles = 0;
+        for (int32_t i = 0; i <= count; ++i) {
+            const double at = i == 0 ? 0 : own_angle / 2 + (i - 0.5) * seen / count;
+            TriangleBound bound;
+            bound.normal = i == 0 ? Vector3{0, 0, 1}
+                                  : Vector3{std::sin(tilt) * std::cos(at), std::sin(tilt) * std::sin(at),
+                                            std::cos(tilt)};
+            bound.angles = {i == 0 ? own_angle : seen * std::cos(tilt) / count, 1, 1};
+            bound.altitude = 1;
+            bound.height = 1e-3;
+            bound.out = 1e-4;
+            bound.beside = 0.1;
+            angles += bound.angles[0];
+            bounds.push_back(bound);
+            triangles.push_back({{0, 1 + i, 1 + (i + 1) % (count + 1)}});
+        }
+        EXPECT_LT(angles, 3 * std::numbers::pi);
+        const std::array<int32_t, 1> wanted{0};
+        const MeshBound bound(count + 2, triangles, bounds, wanted);
+        EXPECT_EQ(bound.distances(0, 0).from_mesh < 0.1, turns == 1);
     }
 }
 
