@@ -43,8 +43,8 @@ double gap_of(const Spline &a, const Spline &b, double tolerance) {
     return open ? pieces.enclosure(uppers, {.ratio = 1e-9, .steps = 4000}).upper : found.upper;
 }
 
-// The error at the ends of a curve. Clamped ends are control points; others have the error of evaluation,
-// with 2 c(p) <= 64 for both.
+// A bound on the distance between both ends of a curve. Clamped ends are control points; other ends have the
+// error of evaluation, where 2 c(p) <= 64 covers both ends.
 double gap_of_ends(const Spline &curve) {
     std::vector<double> ends[2];
     for (const bool upper : {false, true}) {

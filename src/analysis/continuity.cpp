@@ -22,7 +22,7 @@ std::vector<double> scaled(const double *x, int n, double factor) {
     return result;
 }
 
-// Between unit vectors, accurate for small angles and for those near pi (W. Kahan).
+// The angle between unit vectors, accurate for angles near 0 and near pi (W. Kahan).
 double angle_between(const std::vector<double> &a, const std::vector<double> &b) noexcept {
     const int n = static_cast<int>(a.size());
     const double along =
@@ -43,8 +43,9 @@ int parametric_order(const closest::CurveSide &before, const closest::CurveSide 
     return before.order();
 }
 
-// The limit of the unit tangent, from the first derivative that does not vanish; odd powers of the remaining
-// way to the place change the sign. Empty for a constant piece.
+// The limit of the unit tangent at an end of a piece, from the first derivative that does not vanish, and the
+// order of that derivative. On the side before the place, derivatives of even order point against the
+// tangent. Empty for a constant piece.
 struct Tangent {
     std::vector<double> unit;
     int order = 0;
@@ -67,7 +68,7 @@ struct Curvature {
     double error;
 };
 
-// (C'' - (C'' T) T) / |C'|^2
+// The curvature vector (C'' - (C'' . T) T) / |C'|^2.
 Curvature curvature_of(const closest::CurveSide &side, const Tangent &tangent) {
     const int n = side.dim();
     const double speed = side.length(1);
@@ -81,9 +82,10 @@ Curvature curvature_of(const closest::CurveSide &side, const Tangent &tangent) {
     return {std::move(vector), error};
 }
 
-// G2 of two curves with regular tangents that agree. Along a length l a gap d of the curvatures turns the
-// tangent by at most d l, and a curvature k turns it by k l. Over the longer span a gap counts as none if it
-// is less than the tolerance of that turn, or of 1. So rounding does not break a straight line, at any scale.
+// Tests G2 for two curves with regular tangents that agree. Along a length l, a difference d of the
+// curvatures turns the tangent by at most d l, and a curvature k turns it by k l. With the longer span as l,
+// the difference counts as 0 if d l is at most the tolerance times the larger of k l and 1. Rounding thus
+// does not break a straight line, at any scale.
 void compare_curvatures(const closest::CurveSide &before, const Tangent &tangent_before,
                         const closest::CurveSide &after, const Tangent &tangent_after,
                         const ContinuityRule &rule, Continuity &found) {
@@ -126,7 +128,7 @@ struct Sides {
     double above;
 };
 
-// Parameters of the other axes in the order of the axes: degree + 1 inside every span of each.
+// Parameters of the other axes, in the order of the axes: degree + 1 inside each span of each axis.
 std::vector<std::array<double, 2>> samples_of(const Spline &spline, int axis) {
     std::vector<std::array<double, 2>> samples{{0, 0}};
     size_t place = 0;
@@ -151,7 +153,7 @@ std::vector<std::array<double, 2>> samples_of(const Spline &spline, int axis) {
     return samples;
 }
 
-// The curve along the axis at parameters of the others; all axes but `axis` are gone when it returns.
+// The curve along the axis at given parameters of the other axes.
 SplinePtr line_at(SplinePtr spline, int axis, const std::array<double, 2> &params) {
     size_t place = 0;
     for (int k = 0, left = spline->axes(); left > 1; --left) {
@@ -174,13 +176,13 @@ int order_of(const Spline &curve) {
     return std::max(curve.axis(0).degree(), 2);
 }
 
-// Derivatives above the degree are used only for curvature.
+// Derivatives above the degree are used for the curvature only.
 Continuity limited(Continuity found, int degree) {
     found.order = std::min(found.order, degree);
     return found;
 }
 
-// The worse of two; a NaN is not a gap.
+// Takes the worse of both values; NaN does not count as a gap.
 void worsen(Continuity &worst, const Continuity &found) {
     worst.order = std::min(worst.order, found.order);
     worst.geometric = std::min(worst.geometric, found.geometric);
@@ -190,7 +192,7 @@ void worsen(Continuity &worst, const Continuity &found) {
 }
 
 struct Normal {
-    std::vector<double> unit; // empty if there is none
+    std::vector<double> unit; // empty if it is not defined
     double error;
 };
 
@@ -203,7 +205,7 @@ Normal normal_of(const closest::CurveSide &u, const closest::CurveSide &v) {
     return length > error ? Normal{scaled(n, 3, 1 / length), error / length} : Normal{{}, 0};
 }
 
-// The angle between the normals instead of that between tangents.
+// For surfaces: replaces the angle between the tangents by that between the normals.
 void compare_normals(const Normal &a, const Normal &b, const ContinuityRule &rule, Continuity &found) {
     found.geometric = std::min(found.order, 0);
     found.angle = found.curvature_gap = nan_value;
@@ -216,7 +218,7 @@ void compare_normals(const Normal &a, const Normal &b, const ContinuityRule &rul
     }
 }
 
-// Both sides of all places of a spline, one sample of the other axes at a time.
+// Compares both sides of all places, one sample of the other axes at a time.
 class Inspection {
 public:
     Inspection(const SplinePtr &spline, int axis, const ContinuityRule &rule, std::vector<Sides> places)
@@ -266,15 +268,15 @@ private:
     std::vector<SplinePtr> below_;
     std::vector<SplinePtr> above_;
     std::vector<Continuity> worst_;
-    double accuracy_; // each contraction moves control points by as much as its own bound states
+    double accuracy_; // each contraction moves control points by at most its own error bound
 };
 
 } // namespace
 
 namespace {
 
-// For a spline whose derivatives and their squares stay in the range of double precision; its knots have the
-// names of others.
+// For a spline whose derivatives and their squares are in the range of double precision. The knots are
+// reported as in `named`, the knot vector before scaling.
 std::vector<KnotContinuity> usual_continuity(const SplinePtr &spline, int axis, const ContinuityRule &rule,
                                              const KnotVector &named) {
     const KnotVector &knots = spline->axis(axis);
@@ -303,7 +305,7 @@ std::vector<KnotContinuity> usual_continuity(const SplinePtr &spline, int axis, 
     return rows;
 }
 
-// As if lengths were multiplied by 2^size, and back.
+// The rule for lengths multiplied by 2^size, and the result scaled back.
 ContinuityRule scaled(ContinuityRule rule, int size) noexcept {
     rule.position = std::ldexp(rule.position, size);
     return rule;
@@ -314,7 +316,7 @@ Continuity scaled_back(Continuity found, int size) noexcept {
     return found;
 }
 
-// What is best for each of two splines is best for both: the larger size, the shorter axis.
+// The powers of two that suit both splines: those for the larger size and the shorter axis.
 struct CommonPowers {
     int size, knots;
 };

@@ -14,14 +14,14 @@ namespace nrb::analysis {
 
 namespace {
 
-// An angle, and the largest error by rounding; infinite if the angle is not known.
+// An angle with a bound on its rounding error; infinite if the angle is not known.
 struct Turn {
     double angle = 0;
     double error = 0;
 };
 
-// For a vector polynomial that stays in an open half plane: the angle between its ends. Otherwise the sum of
-// the angles of its halves.
+// The angle by which a vector polynomial turns. If it certainly stays in an open half-plane, that is the
+// angle between its values at the ends; otherwise the sum of the angles of its halves.
 Turn turn_of(RoundedPolynomial d, int depth) {
     const size_t end = d.values.size() - 2;
     const double ax = d.values[0], ay = d.values[1], bx = d.values[end], by = d.values[end + 1];
@@ -90,8 +90,8 @@ private:
         note(angle > 0 ? 1 : angle < 0 ? -1 : 0);
     }
 
-    // A tangent that vanishes inside a piece is a cusp or a place where the curve stands still. At an end of
-    // a piece it is divided out, and knot() finds out whether the curve turns back there.
+    // A zero of the tangent inside a piece is a cusp or a place where the curve stands still. At the ends of
+    // a piece zeros are divided out; knot() tests whether the curve turns back there.
     void piece(size_t e) {
         const pieces::HomogeneousPiece &piece = pieces_.piece(e);
         unknown_ = unknown_ || !piece.positive;

@@ -13,7 +13,7 @@ namespace nrb::analysis {
 namespace {
 
 constexpr size_t most_kept = 4096;
-constexpr int64_t work_of_a_piece = 2000; // of its memory, beyond that of its net
+constexpr int64_t work_of_a_piece = 2000; // for its memory, in addition to that of its net
 
 } // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Signs along a whole curve, piece by piece.
+// The signs of a piecewise function along a whole curve.
 #pragma once
 
 #include "analysis/curve_pieces.h"
@@ -9,12 +9,13 @@
 
 namespace nrb::analysis {
 
-// An interval of parameters with a certain sign (1 or -1), or one in which it is 0 or hidden (0).
+// An interval of parameters on which the sign is certain (1 or -1), or on which it is 0 or hidden by rounding
+// (0).
 struct CurveRun {
     double from;
     double to;
     int sign;
-    bool estimated = false; // a hidden run in which the computed values change their sign at `zero`
+    bool estimated = false; // in a hidden run, the computed values change their sign at `zero`
     double zero = 0;
 };
 
@@ -23,26 +24,27 @@ struct CurveSigns {
     bool complete = true; // no zero is hidden by rounding
 };
 
-// Scalar polynomials on the pieces of a curve, up to positive factors.
+// A scalar polynomial for each piece of a curve, up to a positive factor.
 using Numerator = std::function<RoundedPolynomial(const pieces::HomogeneousPiece &)>;
 
-// Whether all values are 0 without any rounding.
+// Whether all coefficients are 0 with no rounding error.
 bool exactly_zero(const RoundedPolynomial &f) noexcept;
 
-// The runs of one piece in its parameters. Pieces whose weight has no certain sign have none.
+// Appends the runs of one piece, converted to parameters of the curve. curve_signs() reports a piece whose
+// weight has no certain sign as one hidden run.
 void append_runs(const pieces::HomogeneousPiece &piece, const SignRuns &signs, CurveSigns &out);
 CurveSigns curve_signs(CurvePieces &pieces, const Numerator &numerator);
 
-// Where a sign changes into the other one: between the end of one run and the start of the next.
+// A change from one certain sign to the other, between the end of one run and the start of the next.
 struct SignChange {
     double from;
     double to;
     int before;
     int after;
-    double at; // the best estimate between them
+    double at; // the best estimate of its place
 };
 
-// With the change at the seam, given as the start, if the axis is periodic.
+// If the axis is periodic, the list includes a change at the seam, reported at the start.
 std::vector<SignChange> sign_changes(const std::vector<CurveRun> &runs, bool periodic);
 
 } // namespace nrb::analysis

@@ -11,7 +11,7 @@ namespace nrb::analysis {
 
 namespace {
 
-// Coefficient at an end, as value and error.
+// The coefficient at an end, with its error.
 struct Bounded {
     double value;
     double error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happens at the knots of a curve.
+// Tangents and curvatures of a curve on both sides of a knot, and the angle between them.
 #pragma once
 
 #include "pieces/derivative_pieces.h"
@@ -9,22 +9,22 @@
 
 namespace nrb::analysis {
 
-// A tangent or curvature at an end of a piece, in Cartesian units, with a bound of its rounding.
+// The tangent at an end of a piece, in Cartesian units, with a bound on its rounding error.
 struct EndTangent {
-    std::vector<double> direction; // a unit vector; empty where it has none
-    double turned = 0;             // at most, by rounding
+    std::vector<double> direction; // unit vector; empty if there is none
+    double turned = 0;             // largest angle by which rounding may have turned it
 };
 EndTangent end_tangent(const pieces::HomogeneousPiece &piece, bool upper);
 
-// The angle from one tangent to another, in the plane positive to the left; 0 if rounding may have caused it,
-// or if there is none.
+// The angle from one tangent to another, in the plane positive to the left; 0 if it may be due to rounding,
+// or if a tangent does not exist.
 double turning_angle(const EndTangent &before, const EndTangent &after);
 
 struct EndCurvature {
-    double value = 0; // |curvature|
+    double value = 0; // magnitude of the curvature
     double error = 0;
 };
-// Whether C' certainly does not vanish.
+// Empty unless C' certainly does not vanish at that end.
 std::optional<EndCurvature> end_curvature(const pieces::HomogeneousPiece &piece, bool upper);
 
 } // namespace nrb::analysis

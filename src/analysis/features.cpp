@@ -17,7 +17,8 @@ namespace nrb::analysis {
 
 namespace {
 
-// Twice M' w S + 6 M w' S - 3 M w S', or Q' w S + 6 Q w' S - 3 Q w S' for Q = M . M.
+// 2 M' w S + 6 M w' S - 3 M w S' in the plane, or Q' w S + 6 Q w' S - 3 Q w S' for Q = M . M in space. If w
+// is constant, the factor w is omitted.
 RoundedPolynomial slope_numerator(const pieces::HomogeneousPiece &piece, const RoundedPolynomial &m) {
     const RoundedPolynomial d = pieces::tangent_numerator(piece, 0), s = dot(d, d);
     const bool plane = m.shape.width == 1;
@@ -30,7 +31,7 @@ RoundedPolynomial slope_numerator(const pieces::HomogeneousPiece &piece, const R
     return rise * piece.weight + scaled(q * s * derivative(piece.weight, last_axis), 6);
 }
 
-// The product of two signs, if both are known.
+// The sign of the product of two functions, 0 where either is not known.
 std::vector<SignRun> product_runs(const std::vector<SignRun> &a, const std::vector<SignRun> &b) {
     std::vector<double> cuts;
     for (const auto *runs : {&a, &b}) {
@@ -115,7 +116,7 @@ private:
         double to;
         bool certain;
     };
-    // Zeros of a vector in all pieces; a zero at a knot, seen from both sides, counts once.
+    // The zeros of a vector on all pieces. A zero at a knot, found on both sides, counts once.
     std::vector<CurveZero> zeros(const Numerator &numerator) {
         std::vector<CurveZero> result;
         Steps steps(static_cast<int64_t>(pieces_.count()));
@@ -142,7 +143,8 @@ private:
         }
         return result;
     }
-    // If no vector is known, because it vanishes everywhere, there is no place to name.
+    // A zero that is neither certain nor short has no definite place: nothing may be known of the vector
+    // there, as where it vanishes everywhere.
     static bool is_place(const CurveZero &zero, Interval domain) noexcept {
         return zero.certain || zero.to - zero.from < 0x1p-20 * (domain.upper - domain.lower);
     }
@@ -197,7 +199,7 @@ private:
         }
     }
 
-    // 1 where the curvature jumps up at the start of piece e, -1 where it jumps down.
+    // 1 if the curvature jumps up at the start of piece e, -1 if it jumps down.
     [[nodiscard]] int curvature_step(size_t e) {
         const pieces::HomogeneousPiece *before = pieces_.order(e) >= 2 ? nullptr : pieces_.before(e);
         if (before == nullptr) {
@@ -217,8 +219,8 @@ private:
         });
     }
 
-    // The sign of the growth of |curvature| along the curve, including its steps at knots, and the places
-    // where M vanishes.
+    // Appends the sign of the derivative of |curvature| on a piece to `rises`, and the places where M
+    // vanishes to `bends`.
     static void append_piece(const pieces::HomogeneousPiece &piece, CurveSigns &rises, CurveSigns &bends) {
         const RoundedPolynomial m = pieces::bend_numerator(piece);
         if (exactly_zero(m)) {
@@ -243,7 +245,7 @@ private:
         slope.runs = m.shape.width == 1 ? product_runs(slope.runs, bend.runs) : slope.runs;
         const bool complete = rises.complete && own.complete;
         append_runs(piece, slope, rises);
-        rises.complete = complete; // that of the product counts what stands still as hidden
+        rises.complete = complete; // the product's own flag counts intervals on which it is 0 as hidden
     }
 
     void extrema() {

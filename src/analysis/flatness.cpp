@@ -20,7 +20,7 @@ namespace {
 
 constexpr pieces::SearchLimits fine{.ratio = 1e-3, .steps = 4000};
 
-// The points that are finite, one after the other.
+// The finite ones among the points, stored consecutively.
 std::vector<double> finite_points(const std::vector<double> &points, int dim) {
     std::vector<double> result;
     const auto n = static_cast<size_t>(dim);
@@ -43,8 +43,8 @@ std::vector<double> mean_of(const std::vector<double> &points, int dim) {
     return mean;
 }
 
-// The direction in which points spread most, by the power method on their covariance; the first coordinate
-// direction if they do not spread.
+// The direction in which points spread most, by the power method on their covariance matrix; the first
+// coordinate direction if they do not spread.
 std::vector<double> main_direction(std::vector<double> points, int dim) {
     const auto n = static_cast<size_t>(dim);
     const std::vector<double> mean = mean_of(points, dim);
@@ -82,8 +82,8 @@ std::vector<double> main_direction(std::vector<double> points, int dim) {
     return d;
 }
 
-// Places in every span of an axis, so many that all axes together have some thousands, and the ends of the
-// axis.
+// Sample parameters in every span of an axis, so many that all axes together yield some thousands of points,
+// and the end of the axis.
 std::vector<double> places_on(const KnotVector &axis, int axes) {
     const std::vector<double> breaks = refine::breaks_of(axis);
     const double enough = std::pow(4096.0, 1.0 / axes);
@@ -103,7 +103,7 @@ std::vector<double> places_on(const KnotVector &axis, int axes) {
     return places;
 }
 
-// 1 - d d^T / |d|^2.
+// The orthogonal projection along d, 1 - d d^T / |d|^2.
 std::vector<double> projection_across(const std::vector<double> &d) {
     const size_t n = d.size();
     double square = 0;
@@ -119,7 +119,7 @@ std::vector<double> projection_across(const std::vector<double> &d) {
     return matrix;
 }
 
-// The largest |M (x - centre)| for a matrix of norm 1.
+// An upper bound on |M (x - centre)| over the spline, for a matrix M of norm 1.
 double largest_image(const Spline &spline, const std::vector<double> &centre,
                      const std::vector<double> &matrix) {
     const pieces::SplinePieces pieces(spline, whole_domain(spline), centre);
@@ -136,7 +136,8 @@ void require_finite(double bound) {
     }
 }
 
-// The largest value of direction . (x - c), to a thousandth of the width that is known.
+// An upper bound on direction . (x - c) over the spline, c being the centre of the pieces, that exceeds the
+// maximum by at most `tolerance` if the search succeeds.
 double reach_of(const pieces::SplinePieces &pieces, const std::vector<double> &direction, double tolerance) {
     const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
         pieces.fill(i, direction.data(), out);

@@ -19,8 +19,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// The mean of S_u x S_v over a piece whose parameters run over a unit square: for polynomials the mean of the
-// coefficients, otherwise the mean of N / w^3 at the middles of squares.
+// The mean of S_u x S_v over a piece with parameters in the unit square: for polynomials the mean of the
+// coefficients, otherwise the mean of N / w^3 at the midpoints of a grid of squares.
 Vector mean_normal(const pieces::HomogeneousPiece &piece) {
     const RoundedPolynomial n = pieces::normal_numerator(piece);
     Vector sum{};
@@ -46,14 +46,14 @@ Vector mean_normal(const pieces::HomogeneousPiece &piece) {
     return sum;
 }
 
-// The vector area as a unit vector.
+// The vector area, normalized.
 Vector area_direction(const pieces::PieceMaker &maker) {
     std::vector<Vector> parts;
     std::vector<int> exponents;
     for (int64_t e = 0; e < maker.count(); ++e) {
         const pieces::HomogeneousPiece piece = maker.piece(e);
         parts.push_back(mean_normal(piece));
-        exponents.push_back(2 * piece.exponent); // lengths are in units of their powers of two
+        exponents.push_back(2 * piece.exponent); // areas are in units of the square of 2^exponent
     }
     const int unit = *std::max_element(exponents.begin(), exponents.end());
     Vector area{};
@@ -85,7 +85,7 @@ Vector unit_of(const double *reference) {
     return unit;
 }
 
-// What normals of a surface in space are compared with; not read for others.
+// The direction that the normals of a surface in space are compared with; unused for other splines.
 Vector reference_of(const Spline &spline, const pieces::PieceMaker &maker, const double *given) {
     if (spline.dim() != 3 || spline.axes() != 2) {
         return {};
@@ -100,7 +100,7 @@ public:
     FoldSearch(const Spline &spline, const Vector &reference)
         : spline_(spline), reference_(reference), parts_(spline.axes()) {}
 
-    // What is looked at: all pieces, until a fold is found, or one.
+    // Sets what is examined: either all pieces, until a fold is found, or one piece.
     void start(const pieces::PieceMaker &maker) {
         const Phase phase;
         Steps steps(maker.count());
@@ -109,7 +109,7 @@ public:
         }
     }
     void start(const pieces::HomogeneousPiece &piece);
-    // Parts of one piece alone.
+    // Restricts the examination to a part of the single piece.
     void restrict_to(const Part &part);
     void limit(int64_t halvings) noexcept { parts_.limit(halvings); }
 
@@ -129,15 +129,16 @@ public:
 private:
     [[nodiscard]] bool found() const noexcept { return test_.positive && test_.negative; }
 
-    // The product of three or four factors of a piece's degrees.
+    // Whether the determinant, a product of three or four factors of the degrees of the piece, costs too
+    // much.
     [[nodiscard]] bool too_large(const pieces::HomogeneousPiece &piece) const noexcept {
         const double n = static_cast<double>(piece.points.shape.coefficients());
         const double factors = spline_.axes() == 3 ? 12 : 4;
         return n * n * factors > 2e7;
     }
 
-    // A coefficient at a corner has the sign of J, unless the corner is on a boundary where J is 0; then the
-    // middle of a part with one sign has it.
+    // Records signs of J. A corner coefficient has the sign of J, unless the corner is on a boundary where J
+    // vanishes. On a part with one certain sign, J has that sign in the middle.
     void look(const JacobianPart &part) {
         const int sign = certain_sign(part.f);
         if (sign != 0) {
@@ -189,7 +190,7 @@ private:
 void FoldSearch::start(const pieces::HomogeneousPiece &piece) {
     const size_t e = pieces_.size();
     pieces_.push_back(piece.part);
-    constexpr int64_t work_of_a_point = 400; // of a piece, made and looked at
+    constexpr int64_t work_of_a_point = 400; // per coefficient of a piece, to make and to examine it
     count_work(work_of_a_point * piece.points.shape.coefficients());
     if (!piece.positive || work_ended()) {
         hidden_ = true;
@@ -222,9 +223,9 @@ void FoldSearch::start(const pieces::HomogeneousPiece &piece) {
     parts_.add({std::move(f), e, {}, {1, 1, 1}});
 }
 
-// Places are taken a little farther out than they are, so that no rounding leaves anything out.
+// The part is enlarged slightly, so that rounding leaves nothing out.
 void FoldSearch::restrict_to(const Part &part) {
-    if (parts_.empty()) { // the sign of the whole piece is known, or nothing can be
+    if (parts_.empty()) { // the sign on the whole piece is known, or it cannot be determined
         return;
     }
     JacobianPart rest = parts_.take();

@@ -10,7 +10,7 @@ namespace nrb::analysis {
 
 namespace {
 
-// The axis with a degree on which a part is longest, in units of `scale`; -1 if no side is longer than
+// The axis of positive degree on which a part is longest, in units of `scale`; -1 if no side is longer than
 // `least`.
 int longest_axis(const JacobianPart &part, int axes, const std::array<double, max_axes> &scale,
                  double least) noexcept {
@@ -27,7 +27,7 @@ int longest_axis(const JacobianPart &part, int axes, const std::array<double, ma
     return longest;
 }
 
-// The part becomes the upper half.
+// Returns the lower half; the part becomes the upper one.
 JacobianPart split_off_lower(JacobianPart &part, int axes, int k) {
     const auto at = static_cast<size_t>(k);
     const double middle = part.from[at] / 2 + part.to[at] / 2;
@@ -38,7 +38,7 @@ JacobianPart split_off_lower(JacobianPart &part, int axes, int k) {
 }
 
 int64_t halvings_for(const RoundedPolynomial &f) noexcept {
-    constexpr int64_t room = int64_t{7} << 22; // doubles, of which the errors take as many again
+    constexpr int64_t room = int64_t{7} << 22; // in doubles; the error bounds take as many again
     return std::min(pieces::default_budget, room / std::max<int64_t>(1, f.shape.values()));
 }
 

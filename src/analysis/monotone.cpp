@@ -11,7 +11,7 @@ namespace nrb::analysis {
 
 namespace {
 
-// The direction scaled to at most 1 in every component.
+// The direction scaled by a power of two, so that its largest component is near 1.
 std::vector<double> scaled_direction(const double *direction, int dim) {
     std::vector<double> d(direction, direction + dim);
     double largest = 0;
@@ -44,7 +44,7 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
         bool fresh = e == 0 || pieces.jump(e) > 0;
         double from = piece.parameter(0, 0);
         for (const SignRun &run : signs.runs) {
-            if (run.sign == 0 && !signs.nothing) { // its two neighbours meet in the middle
+            if (run.sign == 0 && !signs.nothing) { // neighbours meet at the zero or in the middle
                 result.complete = result.complete && run.simple;
                 from = piece.parameter(0, run.zero >= 0 ? run.zero : run.from / 2 + run.to / 2);
                 continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pieces of a curve on which it runs one way along a direction.
+// Divides a curve into pieces that are monotone along a direction.
 #pragma once
 
 #include "spline/spline.h"
@@ -14,10 +14,10 @@ struct MonotonePieces {
         int sign; // of the derivative of direction . C; 0: it vanishes to rounding
     };
     std::vector<Piece> pieces;
-    bool complete = true; // no change of direction is hidden by rounding
+    bool complete = true; // no change of sign is hidden by rounding
 };
 
-// By the zeros of direction . D, C' = D / w^2; a jump begins a piece of its own. Throws
+// The pieces between zeros of direction . D, where C' = D / w^2. A jump begins a new piece. Throws
 // Status::not_representable. Precondition: a finite direction.
 MonotonePieces monotone_pieces(const Spline &curve, const double *direction);
 

@@ -12,14 +12,14 @@ namespace nrb::analysis {
 
 namespace {
 
-// |S_u|^2 |S_v|^2 - (S_u . S_v)^2, times powers of the weight.
+// |S_u|^2 |S_v|^2 - (S_u . S_v)^2 times a power of the weight: the determinant of Gram's matrix.
 RoundedPolynomial gram_numerator(const pieces::HomogeneousPiece &piece) {
     const RoundedPolynomial u = pieces::tangent_numerator(piece, 0), v = pieces::tangent_numerator(piece, 1);
     const RoundedPolynomial mixed = dot(u, v);
     return dot(u, u) * dot(v, v) - mixed * mixed;
 }
 
-// If nothing is known, every place is singular.
+// The polynomial that vanishes at singular places; empty if every place is singular.
 std::optional<RoundedPolynomial> numerator_of(const pieces::HomogeneousPiece &piece, int axes) {
     const int dim = piece.points.shape.width;
     if (axes == 1) {
@@ -31,7 +31,7 @@ std::optional<RoundedPolynomial> numerator_of(const pieces::HomogeneousPiece &pi
     return dim <= 3 ? pieces::normal_numerator(piece) : gram_numerator(piece);
 }
 
-// A component, or the projection to the mean of the coefficients, has a certain sign.
+// Whether a component, or the projection onto the mean of the coefficients, has a certain sign.
 bool regular(const RoundedPolynomial &f) {
     const auto n = static_cast<size_t>(f.shape.width);
     std::vector<double> mean(n);
@@ -49,7 +49,7 @@ bool regular(const RoundedPolynomial &f) {
     return certain_sign(along) != 0;
 }
 
-// A box of places on a piece.
+// A box in the local parameters of a piece.
 struct Box {
     std::array<double, max_axes> from{};
     std::array<double, max_axes> to{};
@@ -120,8 +120,8 @@ private:
         result_.places.push_back(place);
     }
 
-    // Boxes of one piece that touch are one place: its point is the middle of the box nearest to the middle
-    // of all.
+    // Boxes of one piece that touch form one place. Its point is the middle of the box nearest to the middle
+    // of their common bounding box.
     void gather(size_t e) {
         std::vector<Box> &boxes = left_[e];
         std::sort(boxes.begin(), boxes.end(),
@@ -199,7 +199,7 @@ private:
         return same || small;
     }
 
-    // A place on the border of pieces is found in each of these pieces.
+    // Merges places that were found in several pieces because they lie on a common boundary.
     void merge_small() {
         std::vector<SingularPlace> merged;
         for (const SingularPlace &place : result_.places) {
@@ -229,9 +229,9 @@ private:
     pieces::PieceMaker maker_;
     Part domain_;
     std::vector<Part> pieces_;
-    std::vector<std::array<double, max_axes>> scales_; // length of a piece as a part of the domain
+    std::vector<std::array<double, max_axes>> scales_; // side lengths of a piece relative to the domain
     PartQueue parts_;
-    std::vector<std::vector<Box>> left_; // for each piece, what could not be shown to be regular
+    std::vector<std::vector<Box>> left_; // for each piece, the boxes that could not be proven regular
     SingularPlaces result_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places where a curve or surface is singular.
+// Singular places of a curve or surface: where C' or S_u x S_v vanishes.
 #pragma once
 
 #include "pieces/spline_pieces.h"
@@ -13,14 +13,14 @@ struct SingularPlace {
 
 struct SingularPlaces {
     std::vector<SingularPlace> places;
-    bool complete = true; // regular outside the boxes
+    bool complete = true; // the spline is proven regular outside the boxes
 };
 
-// Examines parts of the pieces. If no combination of the components of C' or S_u x S_v (in dimensions above
-// 3: |S_u|^2 |S_v|^2 - (S_u . S_v)^2) has a certain sign on a part, the part is halved, to the tolerance or
-// until pieces::default_budget halvings are used up. The remaining parts are boxes; boxes that touch make one
-// place. Boundaries of pieces that vanish to rounding are places of their own and are divided out. Throws
-// Status::not_representable.
+// Subdivides the pieces. A part is regular if some linear combination of the components of C' or S_u x S_v
+// (in dimensions above 3: of |S_u|^2 |S_v|^2 - (S_u . S_v)^2) has a certain sign on it. Any other part is
+// halved, down to the tolerance or until pieces::default_budget halvings or the memory for them are used up.
+// The parts that remain are boxes; boxes that touch form one place. Boundaries of pieces on which the vector
+// vanishes to rounding are places of their own, and are divided out. Throws Status::not_representable.
 SingularPlaces singular_places(const Spline &spline, double tolerance);
 
 } // namespace nrb::analysis

@@ -14,13 +14,13 @@ namespace {
 
 using Rows = std::array<Vector3, 3>;
 
-// A vector of a list of them, of 2 or 3 components.
+// Vector i of an array of vectors with 2 or 3 components.
 Vector3 vector_at(const std::vector<double> &values, size_t i, size_t width) noexcept {
     const double *x = values.data() + i * width;
     return {x[0], x[1], width > 2 ? x[2] : 0};
 }
 
-// The derivative of a place, or its numerator.
+// The derivative along one axis, or its numerator.
 struct Column {
     RoundedPolynomial vectors;
 
@@ -44,9 +44,10 @@ Vector3 magnitudes(const Vector3 &a) noexcept {
     return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
 }
 
-// The rows of the inverse of a matrix of these columns, and the sign of its determinant; 0 if that is uncertain.
+// Computes the rows of the inverse of the matrix with these columns. Returns the sign of its determinant, or
+// 0 if that is not certain.
 int invert(const Rows &columns, Rows &rows) noexcept {
-    constexpr double least = 1e-10; // part of the product of the sizes of the columns
+    constexpr double least = 1e-10; // relative to the product of the largest components of the columns
     rows = {cross(columns[1], columns[2]), cross(columns[2], columns[0]), cross(columns[0], columns[1])};
     const double det = dot(columns[0], rows[0]);
     if (!(std::abs(det) > least * largest(columns[0]) * largest(columns[1]) * largest(columns[2])) ||
@@ -59,7 +60,8 @@ int invert(const Rows &columns, Rows &rows) noexcept {
     return det > 0 ? 1 : -1;
 }
 
-// The largest distance of B times a coefficient from unit vector k, rounding included.
+// The largest distance, in the sum of magnitudes, of B times a coefficient from unit vector k, rounding
+// included.
 double farthest(const Column &column, size_t k, const Rows &rows) noexcept {
     constexpr double rounding = 8 * eps;
     double most = 0;

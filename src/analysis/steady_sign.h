@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sign of a determinant of first derivatives where these turn little.
+// A cheap sufficient test for the sign of a Jacobian determinant where the derivatives vary little.
 #pragma once
 
 #include "pieces/derivative_pieces.h"
@@ -8,11 +8,13 @@
 
 namespace nrb::analysis {
 
-// 1 or -1: the determinant of a plane surface or a volume, or of S_u, S_v and a direction of a surface in space, has
-// that sign on the whole piece; 0: this cannot be seen so simply. With the inverse B of the means of the columns D_k,
-// the derivatives or their numerators, B D is near the identity. Where every coefficient of each of its columns is less
-// than 1 away, in the sum of magnitudes, all columns lie in that range, B D is strictly diagonally dominant, and its
-// determinant positive. Cost: linear in the number of coefficients. Precondition: the weight is positive.
+// 1 or -1 if the determinant of a plane surface or a volume, or that of S_u, S_v and `direction` for a
+// surface in space, has this sign on the whole piece; 0 if the test does not decide. The columns D_k of the
+// determinant are the derivatives or their numerators. Let B be the inverse of the matrix of their mean
+// coefficients, so that B D is near the identity. If for each k all coefficients of B D_k are less than 1
+// away from unit vector k in the sum of magnitudes, so are all values of B D_k, by the convex hull property.
+// B D then is strictly diagonally dominant, with a positive diagonal, and its determinant is positive. Cost:
+// linear in the number of coefficients. Precondition: the weight is positive.
 int steady_sign(const pieces::HomogeneousPiece &piece, int axes, const std::array<double, 3> &direction);
 
 } // namespace nrb::analysis

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int64_t block = 64;
-constexpr int64_t work_of_a_point = 1000, work_of_a_descent = 15000; // beyond what searches count
+constexpr int64_t work_of_a_point = 1000, work_of_a_descent = 15000; // not counted by the searches
 
-// The search of patches answers for curves as well, in 1.8 times the time of their own one.
+// PatchLocator could answer queries for curves as well, but takes 1.8 times as long as CurveLocator.
 std::shared_ptr<const Locator> make_locator(const Spline &spline) {
     if (spline.axes() == 1) {
         return std::make_shared<CurveLocator>(spline);
@@ -37,7 +37,7 @@ bool copy(const ConstRecords &from, int64_t i, std::vector<double> &to) noexcept
     return finite;
 }
 
-// The answer to a local search that the limit of work left no time for.
+// The answer to a local search for which no work is left: its initial guess.
 Foot where_it_began(const std::vector<double> &guess) {
     Foot foot;
     std::copy(guess.begin(), guess.end(), foot.params.begin());
@@ -45,7 +45,8 @@ Foot where_it_began(const std::vector<double> &guess) {
     return foot;
 }
 
-// Turns the answers of locators into results: points and distances are those of the parameters.
+// Converts the locators' answers into results, in blocks. The points and distances that are reported are
+// those of the rounded parameters, evaluated on the spline.
 class Feet {
 public:
     // query: null for local searches, which prove nothing.
@@ -88,8 +89,8 @@ private:
             }
         }
     }
-    // The proof holds for the place that was found. The distance of its parameter, which is rounded, may
-    // differ, or overflow.
+    // The proof holds for the place that the search found. The distance evaluated at its rounded parameter
+    // may be worse than what was proven, or overflow; the answer then is coarse, not certified.
     void finish(Foot &foot, double distance) const {
         settle(foot, distance, (foot.status & closest_certified) != 0 && keeps(foot, distance));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Batches of queries for closest points.
+// Closest-point queries in batches.
 #pragma once
 
 #include "base/records.h"
@@ -7,7 +7,7 @@
 
 namespace nrb::closest {
 
-// Arrays without data are not wanted.
+// Output arrays of a batch. Records without data are not computed.
 struct FeetOutputs {
     Records params;    // [axes]
     Records feet;      // [dim]
@@ -15,12 +15,12 @@ struct FeetOutputs {
     int32_t *status = nullptr;
 };
 
-// Pieces examined for a point where the caller sets no limit: each piece of the spline several times, which takes about a
-// second at most.
+// The default budget of a query: the number of pieces examined for one point if the caller sets no limit. It
+// allows each piece of the spline to be examined several times, which takes at most about a second.
 int64_t usual_budget(const Spline &spline);
 
-// Answers each query whose point is finite; the others get NaN and closest_invalid. `common` holds what the
-// queries have in common.
+// Answers each query whose point is finite; the others get NaN and closest_invalid. `common` holds the data
+// that all queries share; its `point` is ignored.
 void closest_points(const Spline &spline, const ConstRecords &points, const Query &common,
                     const FeetOutputs &out);
 void closest_local(const Spline &spline, const ConstRecords &points, const ConstRecords &guesses,

@@ -20,21 +20,26 @@ namespace nrb::closest {
 
 namespace {
 
-// Eigenvalues of the scaled equations below this are rounding.
+// Where the scaled matrix below has an eigenvalue of at most this magnitude, it counts as singular: the
+// eigenvalue is rounding.
 constexpr double singular_eigenvalue = 256 * eps;
 
-// The foot u of a query x solves F_a = <r, C_a> = 0 with r = C(u) - x, on the axes where it is free: not at
-// an end of the domain, nor held by a kink. With H_ab = <C_a, C_b> + <r, C_ab>
+// The foot u of a query point x satisfies F_a = <r, C_a> = 0 with r = C(u) - x, for every axis a on which the
+// foot is free, that is, held neither by an end of the domain nor by a kink. Differentiating gives, with
+// H_ab = <C_a, C_b> + <r, C_ab>,
 //   H du = -(<dC - dx, C_a> + <r, dC_a>)_a,
-// where dC is the change of the curve or surface at fixed parameters. The foot moves by dC + sum of C_a du_a,
-// and the distance d by <r, dC - dx> / d. So, with H lambda = -(g_u + <g_f, C_a>)_a, the cotangents of C
-// and C_a are
-//   g_f + g_d r / d + sum of lambda_a C_a   and   lambda_a r,
-// and dL/dx = -(g_d r / d + sum of lambda_a C_a). Where r is of the size of its rounding r / d is any direction: 0, the
-// shortest subgradient of the distance, takes its place.
+// where dC is the change of the curve or surface at fixed parameters. The foot moves by dC + sum_a C_a du_a,
+// and the distance d changes by <r, dC - dx> / d. Let g_u, g_f and g_d be the derivatives of L with respect
+// to the parameters, the point and the distance of the foot. With lambda defined by
+//   H lambda = -(g_u + <g_f, C_a>)_a,
+// the cotangents of C and C_a are
+//   g_f + g_d r / d + sum_a lambda_a C_a   and   lambda_a r,
+// and dL/dx = -(g_d r / d + sum_a lambda_a C_a). Where r is no larger than its rounding, the direction r / d
+// is meaningless; it is replaced by 0, the subgradient of the distance of least norm.
 //
-// No product of two lengths is made, so that shapes of any size have gradients: the unknowns are lambda_a s_a, with the
-// tangents C_a / s_a, s_a^2 = |C_a|^2 + |r| |C_aa|.
+// The computation forms no product of two lengths, so that it neither overflows nor underflows for shapes of
+// any size: the unknowns are lambda_a s_a, and the tangents are C_a / s_a, where
+// s_a^2 = |C_a|^2 + |r| |C_aa|.
 class ClosestAdjoint final : public eval::BlockSink {
 public:
     ClosestAdjoint(const Spline &spline, const eval::AxisRules &rules, const FootCotangents &in)
@@ -100,7 +105,7 @@ private:
         write(i, of_distance, lambda);
     }
 
-    // r = distance_ direction_; false if it is not finite.
+    // Sets direction_ and distance_ so that r = distance_ direction_; false if r is not finite.
     bool find_direction(int64_t i, const double *derivs) noexcept {
         for (int c = 0; c < dim_; ++c) {
             direction_[static_cast<size_t>(c)] = derivs[c] - in_.queries(i, c);
@@ -112,7 +117,8 @@ private:
         return std::isfinite(distance_);
     }
 
-    // What r may be off by: the bound of C(u), see axis-inl.h, and the rounding of u.
+    // The uncertainty of r: the bound for the evaluation of C(u), see axis-inl.h, and the effect of the
+    // rounding of u.
     [[nodiscard]] double noise(int64_t i, const double *derivs) const noexcept {
         double roundings = 0, moved = 0;
         for (int a = 0; a < axes_; ++a) {
@@ -123,7 +129,8 @@ private:
                underflow_noise;
     }
 
-    // The axes on which the foot is free; returns their number. It is held where <r, C_a> need not be 0 and is not.
+    // Finds the axes on which the foot is free; returns their number. An axis holds the foot if <r, C_a> need
+    // not vanish there (at an end, a kink, or for degree 0) and does not.
     int find_free(int64_t i, const double *derivs, bool meets) noexcept {
         constexpr double stationary = 0x1p-30;
         free_count_ = 0;
@@ -143,7 +150,7 @@ private:
         return free_count_;
     }
 
-    // <x, y / length>, 0 if y is 0.
+    // <x, y / length>; 0 if length is 0.
     [[nodiscard]] double along(const double *x, const double *y, double length) const noexcept {
         double sum = 0;
         for (int c = 0; c < dim_ && length > 0; ++c) {
@@ -152,7 +159,7 @@ private:
         return sum;
     }
 
-    // s_a and C_a / s_a of the free axes.
+    // Computes s_a and C_a / s_a for the free axes.
     void find_tangents(const double *derivs) noexcept {
         for (size_t f = 0; f < static_cast<size_t>(free_count_); ++f) {
             const double *own = slope(derivs, free_[f]);
@@ -170,7 +177,7 @@ private:
         return std::sqrt(distance_) * std::sqrt(length);
     }
 
-    // H_ab / (s_a s_b)
+    // H_ab / (s_a s_b).
     [[nodiscard]] double entry(const double *derivs, size_t f, size_t g) noexcept {
         const double *both = second(derivs, free_[f], free_[g]);
         const double length = norm(both, dim_), size = mean(length);
@@ -178,7 +185,7 @@ private:
                along(direction_.data(), both, length) * (size / sizes_[f]) * (size / sizes_[g]);
     }
 
-    // lambda_a s_a; false if the equations are singular to rounding.
+    // Solves for lambda_a s_a; false if the equations are singular to rounding.
     bool find_lambda(int64_t i, const double *derivs, AxisVector &lambda) noexcept {
         const auto n = static_cast<size_t>(free_count_);
         AxisMatrix matrix{};
@@ -195,7 +202,7 @@ private:
         return solve(free_count_, matrix, right, lambda);
     }
 
-    // (g_u + <g_f, C_a>) / s_a
+    // (g_u + <g_f, C_a>) / s_a.
     [[nodiscard]] double cotangent_of(int64_t i, size_t f) noexcept {
         double sum = value(in_.params, i, free_[f]) / sizes_[f];
         for (int c = 0; c < dim_; ++c) {
@@ -241,14 +248,14 @@ private:
     int axes_;
     int dim_;
     int64_t width_;
-    std::vector<double> direction_; // of r, and its length
+    std::vector<double> direction_; // r / |r|, with |r| in distance_
     double distance_ = 0;
     int free_count_ = 0;
-    std::array<int, max_axes> free_{}; // the free axes
-    AxisVector sizes_{};               // s_a of each
-    std::vector<double> tangents_;     // C_a / s_a of each, [dim]
-    std::vector<double> hulls_;        // of the control points about each foot
-    std::vector<double> cotangents_;   // [count][1 + axes][dim]; 0 for a foot that is not determined
+    std::array<int, max_axes> free_{}; // the first free_count_ entries are the free axes
+    AxisVector sizes_{};               // s_a of each free axis
+    std::vector<double> tangents_;     // C_a / s_a of each free axis, [dim]
+    std::vector<double> hulls_;        // sizes of the control points that are active at each foot
+    std::vector<double> cotangents_;   // [count][1 + axes][dim]; 0 where the foot is not determined
     std::vector<double> queries_;      // [count][dim]
     std::vector<int32_t> status_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gradients through closest points, by the implicit function theorem.
+// Reverse-mode gradients (adjoints) of closest points, by the implicit function theorem.
 #pragma once
 
 #include "closest/foot.h"
@@ -7,7 +7,8 @@
 
 namespace nrb::closest {
 
-// Feet of query points, and dL by their parameters, points and distances; views without data are 0.
+// The feet of the query points, and the derivatives of a scalar L with respect to their parameters, points
+// and distances. A view without data stands for zeros.
 struct FootCotangents {
     ConstRecords queries;   // [count][dim]
     ConstRecords feet;      // [count][axes]
@@ -16,7 +17,7 @@ struct FootCotangents {
     ConstRecords distances; // [count]
 };
 
-// Views without data are not wanted.
+// The derivatives of L that are wanted. Views without data are not computed.
 struct FootGradients {
     Records points;  // [control points][dim]
     Records weights; // [control points]
@@ -24,8 +25,8 @@ struct FootGradients {
     int32_t *status; // [count] or null: closest_ bits
 };
 
-// May throw only std::bad_alloc, before anything is written. Preconditions: the parameters of feet were
-// checked.
+// Throws at most std::bad_alloc, and only before anything is written. Precondition: the caller has checked
+// the parameters of the feet.
 void closest_adjoint(const Spline &spline, const eval::AxisRules &rules, const FootCotangents &in,
                      const FootGradients &out);
 

@@ -14,7 +14,8 @@ namespace nrb::closest {
 
 namespace {
 
-// H_0, H_1, ...: the largest active control points of the derivatives in magnitudes, from those of the curve.
+// H_0, H_1, ...: for each derivative a bound on its largest active control point, from the magnitudes of the
+// curve's control points. Overwrites `magnitudes`.
 std::vector<double> sizes_of(const KnotVector &axis, int64_t span, int order, double *magnitudes) {
     const int p = axis.degree();
     std::vector<double> sizes(static_cast<size_t>(order) + 1, 0);
@@ -66,7 +67,7 @@ CurveSide::CurveSide(const Spline &curve, double t, bool left, int order, double
     }
 }
 
-// The quotient rule, in values and in magnitudes.
+// The quotient rule, applied to the derivatives and to the bounds on their magnitudes.
 void CurveSide::divide(const std::vector<double> &records, const std::vector<double> &sizes,
                        const std::vector<double> &weight_sizes) {
     const int64_t width = dim_ + 1;

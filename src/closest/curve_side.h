@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The derivatives of a curve on one side of a parameter, with bounds of their rounding.
+// One-sided derivatives of a curve at a parameter, with bounds on their rounding errors.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,13 +8,14 @@
 
 namespace nrb::closest {
 
-// The Cartesian derivatives of orders 0, 1, ... as vectors, and the bounds of their rounding: H_k and E_k of
-// nurbs.h's preamble, for the whole span, in Euclidean length. They are not finite if w(t) = 0.
+// The Cartesian derivatives of orders 0, 1, ... as vectors, and bounds on their rounding errors: H_k and E_k
+// of the preamble of nurbs.h, taken over the whole span and in the Euclidean norm. They are not finite if
+// w(t) = 0.
 class CurveSide {
 public:
-    // Derivatives of the piece below t (left) or above it. `accuracy` is the constant c of the bounds: that
-    // of the curve's degree plus that of the operations that made the curve. Precondition: t lies in the
-    // closed domain of a curve.
+    // Differentiates the piece below t (left) or above it. `accuracy` is the constant c of the bounds: the
+    // one for the curve's degree plus the one for the operations that produced the curve. Precondition: t
+    // lies in the closed domain of a curve.
     CurveSide(const Spline &curve, double t, bool left, int order, double accuracy);
 
     [[nodiscard]] int dim() const noexcept { return dim_; }
@@ -22,11 +23,11 @@ public:
     [[nodiscard]] const double *at(int k) const noexcept { return derivs_.data() + int64_t{k} * dim_; }
     [[nodiscard]] double error(int k) const noexcept { return errors_[static_cast<size_t>(k)]; }
     [[nodiscard]] double length(int k) const noexcept;
-    // How long the span would be at the speed that the curve has here.
+    // The length that the span would have if the speed were constant and equal to the speed at t.
     [[nodiscard]] double span_length() const noexcept { return length(1) * span_; }
-    // Whether derivative k is more than its rounding.
+    // Whether derivative k is 0 to within its rounding error.
     [[nodiscard]] bool vanishes(int k) const noexcept { return !(length(k) > error(k)); }
-    // The derivatives when the curve is run through in the other direction: the parameter changes its sign.
+    // Turns these into the derivatives of the reversed curve: the parameter changes its sign.
     void reverse() noexcept;
 
 private:
@@ -34,7 +35,7 @@ private:
                 const std::vector<double> &weight_sizes);
 
     int dim_;
-    double span_ = 0; // of the parameter
+    double span_ = 0; // length of the parameter interval
     std::vector<double> derivs_;
     std::vector<double> errors_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries for closest points, and their answers.
+// Closest-point queries and their answers.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -12,22 +12,23 @@
 
 namespace nrb::closest {
 
-// What gradual underflow may add to a distance: coordinates that small are rounded to a multiple of it.
+// What gradual underflow may add to a distance: coordinates of that size are rounded to multiples of the
+// smallest subnormal.
 inline constexpr double underflow_noise = 64 * std::numeric_limits<double>::denorm_min();
 
-// How far an answer is proven, and where it lies.
+// Status bits of an answer: how much of it is proven, and where the foot lies.
 enum ClosestStatus : int32_t {
-    closest_certified = 0x01,  // the nearest, or farthest, point to the tolerance
-    closest_boundary = 0x02,   // on an end or an edge of the domain, or of the range
+    closest_certified = 0x01,  // proven: the nearest (or farthest) point to the tolerance
+    closest_boundary = 0x02,   // at an end or on an edge of the domain or of the range
     closest_not_unique = 0x04, // points elsewhere are as near, to the tolerance
     closest_budget = 0x08,     // the budget ended before a proof was found
     closest_invalid = 0x10,    // the query point is not finite
-    closest_coarse = 0x20,     // proven, but rounding the parameters moves the point by more
-    closest_singular = 0x40,   // of an adjoint: the equations do not determine the foot
-    closest_left = 0x100,      // the limit from below is meant on axis 0; on the others the next bits
+    closest_coarse = 0x20,     // proven, but the rounding of the parameters moves the point by more
+    closest_singular = 0x40,   // adjoints only: the equations do not determine the foot
+    closest_left = 0x100,      // axis 0: the limit from below is meant; the next bits are for the other axes
 };
 
-// The kinds of a place where the distance is critical.
+// The kinds of critical points of the distance.
 enum CriticalKind : int32_t {
     critical_minimum = 1,
     critical_maximum = 2,
@@ -40,12 +41,13 @@ struct Foot {
     std::array<double, max_axes> params{};
     double distance = 0;
     int32_t status = 0;
-    double noise = 0;     // the uncertainty of the distance by rounding
-    uint32_t left = 0;    // bit k: at parameter k the limit from below is meant
-    int64_t examined = 0; // number of pieces that were examined
+    double noise = 0;     // the uncertainty of the distance due to rounding
+    uint32_t left = 0;    // bit k: the limit from below is meant along axis k
+    int64_t examined = 0; // number of pieces examined
 };
 
-// With the distance of the point at the parameters, as they are rounded, for which what was proven may hold or not.
+// Replaces the distance by that of the point at the rounded parameters. `holds`: whether what was proven is
+// true of that distance; if it is not, certified becomes coarse.
 inline void settle(Foot &foot, double distance, bool holds) noexcept {
     if ((foot.status & closest_certified) != 0 && !holds) {
         foot.status ^= closest_certified | closest_coarse;
@@ -54,28 +56,28 @@ inline void settle(Foot &foot, double distance, bool holds) noexcept {
     foot.status |= static_cast<int32_t>(foot.left) * closest_left;
 }
 
-// With a bound: nothing that counts is nearer, for certain.
+// A foot with a proven lower bound: no point that counts is nearer than at_least.
 struct BoundedFoot {
     Foot foot;
     double at_least = 0;
 };
 
-// A place where the distance is critical. Kind: a critical_ constant.
+// A critical point of the distance. Kind: a critical_ constant.
 struct CriticalPoint {
     Foot foot;
     int32_t kind = 0;
 };
 
-// The common data of queries.
+// The data of a query.
 struct Query {
     const double *point;   // [dim], finite
-    const Interval *range; // [axes], in the domain; or null for all of it
-    double tolerance;      // how much nearer another point may be
-    int64_t budget;        // most pieces examined; 0: the usual number
-    bool farthest = false; // the farthest point instead of the nearest one
-    bool alone = false;    // whether others are as near is not asked
-    // Places of a surface or volume are told apart by their parameters, too: sheets may lie on each other. Among the minima there
-    // may then be some that are so from one side only.
+    const Interval *range; // [axes], within the domain; null: the whole domain
+    double tolerance;      // another point may be nearer by this much
+    int64_t budget;        // most pieces examined; 0: the default, except for curves
+    bool farthest = false; // find the farthest point instead of the nearest one
+    bool alone = false;    // do not test whether other points are as near
+    // Whether places of a surface or volume are also told apart by their parameters, for shapes whose sheets
+    // may coincide. The minima may then include some that are minima from one side only.
     bool sheets = false;
 
     [[nodiscard]] int64_t most_pieces() const noexcept {

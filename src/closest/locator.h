@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds closest points of one spline, which keeps it.
+// The interface for closest-point queries on one spline. The locator is kept with the spline.
 #pragma once
 
 #include "closest/foot.h"
@@ -13,7 +13,7 @@ struct CriticalSet {
     std::vector<CriticalPoint> points; // in the order of their parameters
     int32_t status = 0;                // closest_ bits
 
-    // Nothing is certified of a distance that overflows.
+    // Withdraws the certificate if a distance has overflowed.
     void revoke_infinite() noexcept {
         for (const CriticalPoint &point : points) {
             if (!std::isfinite(point.foot.distance)) {
@@ -23,7 +23,7 @@ struct CriticalSet {
     }
 };
 
-// Immutable: any number of threads may ask at once.
+// Immutable, so that any number of threads may query it at once.
 class Locator {
 public:
     Locator() = default;
@@ -31,14 +31,15 @@ public:
     Locator &operator=(const Locator &) = delete;
     virtual ~Locator() = default;
 
-    // The nearest or farthest point. Distances are those of the Bezier pieces, which are those of the spline
+    // The nearest or farthest point. Distances are measured to the Bezier pieces, which agree with the spline
     // to rounding.
     [[nodiscard]] virtual Foot nearest(const Query &query) const = 0;
-    // The local minimum that a descent from a guess in the domain reaches.
+    // The local minimum that a descent from `guess`, a place in the domain, reaches.
     [[nodiscard]] virtual Foot local(const double *point, const double *guess) const = 0;
-    // All critical points of the distance; query.tolerance is the distance up to which they count as one.
+    // All critical points of the distance. Critical points no farther apart than query.tolerance count as
+    // one.
     [[nodiscard]] virtual CriticalSet critical(const Query &query) const = 0;
-    // The minima that are farther than the nearest point by at most query.tolerance.
+    // The minima whose distance exceeds the smallest one by at most query.tolerance.
     [[nodiscard]] virtual CriticalSet minima(const Query &query) const = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points among which those near a place are found at once.
+// A hash grid that finds all stored points within a fixed radius of a place.
 #pragma once
 
 #include "base/watch.h"
@@ -15,10 +15,11 @@
 
 namespace nrb::closest {
 
-// A grid of cubes in the first three coordinates. Points of `dim` coordinates, numbered as they are added.
+// The cells are cubes in the first three coordinates. Points have `dim` coordinates and are numbered in the
+// order in which they are added.
 class NearPoints {
 public:
-    // Points at most `near` apart are asked for.
+    // near: the search radius.
     NearPoints(int dim, double near) : dim_(dim), near_(near), side_(near > 0 ? near : 1) {}
 
     void add(const double *point) {
@@ -26,7 +27,8 @@ public:
         points_.insert(points_.end(), point, point + dim_);
     }
 
-    // Calls visit(number) for points at most `near` from the place, until it returns true; returns whether it did.
+    // Calls visit(number) for the points at most `near` from the place until it returns true; returns whether
+    // it did.
     template <class Visit>
     bool any_near(const double *place, Visit &&visit) const {
         const Cube middle = cube_of(place);
@@ -45,8 +47,8 @@ private:
     using Cube = std::array<double, 3>;
     static constexpr int64_t work_of_a_cube = 40, work_of_a_point = 8;
 
-    // Points of neighbouring cubes are less than one cube apart; a cube may be smaller than the rounding of a coordinate,
-    // whose neighbours then are the cube itself.
+    // A point within the radius lies in the cube of the place or in one of its neighbours. Where a cube is
+    // smaller than the rounding of a coordinate, the neighbours coincide with the cube itself.
     [[nodiscard]] Cube cube_of(const double *point) const noexcept {
         Cube cube{};
         for (size_t c = 0; c < static_cast<size_t>(std::min(dim_, 3)); ++c) {

@@ -17,7 +17,7 @@ namespace {
 
 using Plane = std::array<double, 2>;
 
-// Positive where b is to the left of a.
+// Positive if b is to the left of a.
 double cross(const Plane &a, const Plane &b) noexcept {
     return a[0] * b[1] - a[1] * b[0];
 }
@@ -29,8 +29,9 @@ public:
         eval::Jet::prepare(curve);
     }
 
-    // 1 where x, with its nearest point C(t), is to the left of the curve, else -1. Between knots the foot of
-    // a perpendicular decides; `speed` is C'(t).
+    // 1 if the query point x = C(t) + offset, whose nearest point is C(t), is to the left of the curve, else
+    // -1. `speed` is C'(t). Between knots the sign of C'(t) x offset decides if the offset is clearly not
+    // along the tangent.
     [[nodiscard]] double sign(double t, const Plane &offset, const Plane &speed) const {
         const bool between = t > domain_.lower && t < domain_.upper && !is_knot(t);
         const double side = cross(speed, offset);
@@ -58,7 +59,7 @@ private:
         return std::binary_search(knots.begin(), knots.end(), t);
     }
 
-    // The unit tangent on one side, zero where there is none.
+    // The unit tangent on one side; zero if there is none.
     [[nodiscard]] Plane tangent(double t, bool left) const {
         eval::AxisRules rules;
         rules[0].left = left;
@@ -66,23 +67,25 @@ private:
         return found.kind > 0 ? Plane{found.direction.x, found.direction.y} : Plane{};
     }
 
-    // The sum of the normals on both sides decides (Baerentzen & Aanaes, "Signed distance computation using
-    // the angle weighted pseudonormal", 2005). If the curve turns back, the side to which it turns decides:
-    // points nearest to a corner are outside of it.
+    // The sum of the unit tangents on both sides decides, which is the pseudonormal test for curves
+    // (Baerentzen & Aanaes, "Signed distance computation using the angle weighted pseudonormal", 2005). If
+    // the curve turns back on itself, the sum vanishes and the side to which the curve turns decides: a point
+    // whose nearest point is the corner lies on the outer side of the turn.
     [[nodiscard]] double sign_at_corner(double t, const Plane &offset) const {
         const bool first = t == domain_.lower, last = t == domain_.upper;
         const Plane before = first ? (closed_ ? tangent(domain_.upper, true) : Plane{}) : tangent(t, true);
         const Plane after = last ? (closed_ ? tangent(domain_.lower, false) : Plane{}) : tangent(t, false);
         const Plane sum{before[0] + after[0], before[1] + after[1]};
         constexpr double turned_back =
-            1e-6; // of a full turn back, in radians: there the turn is the better guide
+            1e-6; // in radians from a full turn back; below it, the turn is the better guide
         if (norm(sum.data(), 2) > turned_back) {
             return cross(sum, offset) < 0 ? -1 : 1;
         }
         return turn(t) > 0 ? -1 : 1;
     }
 
-    // The side to which the curve turns at t: of the chords to its neighbourhood.
+    // The side to which the curve turns at t: the cross product of the chords to nearby points before and
+    // after it; positive if it turns left.
     [[nodiscard]] double turn(double t) const {
         const bool first = t == domain_.lower, last = t == domain_.upper;
         constexpr double part = 1.0 / 1024;
@@ -100,7 +103,7 @@ private:
     bool closed_;
 };
 
-// A block of queries, with everything about each of them kept.
+// The answers and derivatives of one block of queries.
 struct Block {
     static constexpr int64_t size = 64;
     std::array<double, size> params;

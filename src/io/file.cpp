@@ -35,7 +35,7 @@ std::vector<char> read_whole_file(const char *path, int64_t max_bytes) {
     if (!file) {
         fail_file(path);
     }
-    // Read in growing blocks rather than by a size asked for first: the path may be a pipe.
+    // Reads growing blocks instead of asking for the size first: the path may be a pipe.
     std::vector<char> bytes;
     size_t block = size_t{1} << 16;
     for (;;) {

@@ -17,7 +17,8 @@ namespace nrb::io {
 
 namespace {
 
-// STEP comes first: it has a word of its own, and a long line of it may have a section letter of IGES in its place.
+// STEP is tried first: its files begin with a word of their own, but a long line of STEP may happen to have a
+// section letter of IGES in column 73.
 constexpr Format known[] = {
     {"STEP", step::begins_step, read_step, read_step_model},
     {"IGES", iges::begins_iges, read_iges, read_iges_model},

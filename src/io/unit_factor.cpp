@@ -10,7 +10,7 @@ namespace {
 
 constexpr double millimetre = 0.001;
 
-// The unit that is wanted in metres, 0: the one from which it is reached.
+// `metres`: the present unit. `wanted`: the new unit in metres; 0: the present one.
 double factor_between(double metres, double wanted) {
     if (wanted == 0 || wanted == metres) {
         return 1;

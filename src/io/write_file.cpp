@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// POSIX: C and C++ know no file that is new for certain, and no renaming over another one.
+// Uses POSIX to create a file that is certain to be new, and to replace another file by renaming. The streams
+// of C++20 and std::rename() promise neither.
 #include "base/error.h"
 #include "base/no_cancellation.h"
 #include "base/watch.h"
@@ -40,7 +41,7 @@ public:
     Descriptor &operator=(const Descriptor &) = delete;
 
     [[nodiscard]] int number() const noexcept { return number_; }
-    // Errors of earlier writes may come to light here.
+    // Errors of earlier writes may be reported only here.
     int close() noexcept {
         const int number = std::exchange(number_, -1);
         return number < 0 ? 0 : ::close(number);
@@ -61,7 +62,8 @@ void write_all(const std::string &path, int file, std::string_view bytes) {
     }
 }
 
-// A new file beside another one, which is removed unless it takes the other's place.
+// A new file in the directory of the file that it is to replace. The destructor removes it, unless it has
+// replaced that file.
 class Replacement {
 public:
     explicit Replacement(std::string path, mode_t mode) : path_(std::move(path)) {
@@ -99,7 +101,7 @@ private:
     int number_ = -1;
 };
 
-// Where links lead to; the path itself where there is nothing yet.
+// The path with its symbolic links resolved; the path itself if nothing exists there yet.
 std::string target_of(const char *path) {
     struct Free {
         void operator()(char *text) const noexcept { std::free(text); } // NOLINT: as realpath() wants it
@@ -139,7 +141,7 @@ void write_whole_file(const char *path, const ByteSource &source) {
     if (exists && !S_ISREG(old.st_mode)) {
         return write_into(target, source);
     }
-    if (exists && ::access(target.c_str(), W_OK) != 0) { // renaming would not ask
+    if (exists && ::access(target.c_str(), W_OK) != 0) { // rename() does not check this
         fail_path(path, errno);
     }
     constexpr mode_t usual = 0666;

@@ -5,9 +5,9 @@
 namespace nrb::io {
 
 struct WriteSettings {
-    double unit = 0; // of the file, in metres; 0: the model's own, millimetres where it has none
+    double unit = 0; // of the file, in metres; 0: that of the model, or millimetres if it has none
     double tolerance =
-        0; // distances below it count as none, in units of the file; 0: as fine as the finest face of a part
+        0; // distances below it count as 0, in units of the file; 0: the least tolerance of a part's faces
 };
 
 } // namespace nrb::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The formats that are written.
+// Writes models as files.
 #pragma once
 
 #include "io/write_settings.h"
@@ -12,8 +12,8 @@ namespace nrb::io {
 
 enum class WrittenFormat : int32_t { step = 1, iges = 2 };
 
-// A model as a file of a format. Throws Status::format for other numbers than those of formats, options for settings that are
-// negative or not finite, and what the writer throws.
+// A model as a file in a format. Throws Status::format for a number that stands for no format, options for
+// settings that are negative or not finite, and what the writer throws.
 std::string write(const model::Model &model, int32_t format, const WriteSettings &settings);
 
 } // namespace nrb::io

@@ -24,7 +24,8 @@ ElementShape::ElementShape(const Elements &elements)
     sum_.resize(static_cast<size_t>(dim_));
 }
 
-// Between two vectors given by their components; 1 if one of them is rounding.
+// The cosine of the angle between two vectors given by their components; 1 if one of them is no more than
+// rounding.
 template <class A, class B>
 double ElementShape::cosine(A &&a, B &&b) const noexcept {
     double product = 0, first = 0, second = 0;
@@ -68,7 +69,8 @@ int ElementShape::layer(int64_t i, int axis) const noexcept {
     return static_cast<int>(i / step(axis) % (degrees_[static_cast<size_t>(axis)] + 1));
 }
 
-// Of the angles between the legs along an axis and their sum; legs of length 0 have none.
+// The smallest cosine of the angles between the legs along an axis and their sum; legs of length 0 do not
+// count.
 double ElementShape::least_cosine(int axis) noexcept {
     const int64_t size = step(axis) * dim_;
     std::fill(sum_.begin(), sum_.end(), 0.0);
@@ -89,7 +91,7 @@ double ElementShape::least_cosine(int axis) noexcept {
     return least;
 }
 
-// The least cosine between legs along an axis that are neighbours along another or the same one.
+// The smallest cosine of the angles between legs along `axis` that are neighbours along `along`.
 double ElementShape::turn(int axis, int along) const noexcept {
     const int64_t size = step(axis) * dim_, next = step(along);
     double least = 1;
@@ -108,7 +110,7 @@ int ElementShape::uneven_axis(const double *net, double spread, bool legs) {
     constexpr double rounding = 256 * eps;
     noise_ = rounding * spread * (rounding * spread);
     if (rational_ && !even_weights(net + dim_ * coefficients_)) {
-        for (int tried = 0; tried < axes_; ++tried) { // in turn
+        for (int tried = 0; tried < axes_; ++tried) { // each axis in turn
             last_ = (last_ + 1) % axes_;
             if (degrees_[static_cast<size_t>(last_)] > 0) {
                 return last_;

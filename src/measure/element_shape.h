@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What the control points of an element tell of features that are narrower than the nodes of a rule are
-// apart.
+// Heuristics from the control points of an element that detect features narrower than the distance between
+// the nodes of a quadrature rule.
 #pragma once
 
 #include "measure/elements.h"
 
 namespace nrb::measure {
 
-// The axis along which an element should be halved first, or -1: the weights differ by a factor of more than
-// 64; or, if `legs`, some leg of the control net along the axis is more than 75 degrees off the sum of all of
-// them, and neighbours of it turn most along that axis. Cost: linear in the number of coefficients.
+// Finds the axis along which an element should be halved first, or -1. It is halved if its weights differ by
+// a factor of more than 64, or in sign. If `legs`, it is also halved if some leg of the control net along an
+// axis is more than 75 degrees off the sum of all legs along it; the axis then is the one along which
+// neighbouring legs turn most. Cost: linear in the number of coefficients.
 class ElementShape {
 public:
     explicit ElementShape(const Elements &elements);
@@ -31,7 +32,7 @@ private:
     std::array<int, max_axes> degrees_{};
     std::vector<double> points_; // [coefficients][dim]
     std::vector<double> sum_;
-    double noise_ = 0; // square of a length that is rounding
+    double noise_ = 0; // squared length up to which a vector is rounding
     int last_ = 0;
 };
 

@@ -21,7 +21,7 @@ pieces::Frame integral_frame(std::span<const Spline *const> splines) {
 
 namespace {
 
-// The rows of a curve of low degree, which take longer to loop over than to compute.
+// For curves of low degree, whose rows take longer to loop over than to compute.
 template <int kSize>
 void contract_rows(const double *in, int64_t outer, const double *matrix, double *out) noexcept {
     for (int64_t o = 0; o < outer; ++o, in += kSize, out += kSize) {
@@ -117,7 +117,7 @@ Interval Elements::interval(int64_t element, int axis) const noexcept {
     return axes_[k].intervals[places(element)[k]];
 }
 
-// Visits (index of the control point, its place among the active ones).
+// Calls visit(index of the control point, its position among the active ones).
 template <class Visit>
 void Elements::for_each_active(const std::array<int64_t, max_axes> &first, Visit &&visit) const {
     std::array<int64_t, max_axes> counts{1, 1, 1}, active{1, 1, 1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The polynomial pieces of a spline as integrals want them: each about a point of its own, so that neither
-// the place of the model nor its size enters the rounding of derivatives.
+// The polynomial pieces of a spline, prepared for integration: each is relative to an origin of its own, so
+// that the rounding of derivatives depends neither on the position of the model nor on its size.
 #pragma once
 
 #include "pieces/frame.h"
@@ -10,16 +10,16 @@
 
 namespace nrb::measure {
 
-// Of all control points, with a unit by whose inverse lengths can be multiplied. The ratio of a scaled
-// content of some axes to the true one is 2^-(exponent axes).
+// The frame of all control points, with a unit whose inverse is representable, so that lengths can be
+// multiplied by it. Over `axes` axes, the scaled content is 2^-(exponent * axes) times the true one.
 pieces::Frame integral_frame(std::span<const Spline *const> splines);
 inline pieces::Frame integral_frame(const Spline &spline) {
     const Spline *one = &spline;
     return integral_frame({&one, 1});
 }
 
-// Component by component (coordinates, and the weight if rational), the Bernstein coefficients of
-// w (x - origin) * scale, last axis fastest.
+// One piece of the integration domain: the Bernstein coefficients of w (x - origin) * scale, component by
+// component (the coordinates and, if rational, the weight), last axis fastest.
 struct Element {
     std::vector<double> net;    // [width][coefficients]
     std::vector<double> origin; // (origin - centre) * scale
@@ -28,8 +28,9 @@ struct Element {
     std::vector<double> work;
 };
 
-// Cost: degree^3 / 2 for each span of every axis, and then (axes + 1) contractions with its matrices for each
-// element. Preconditions: every interval of the part is inside the domain and not empty.
+// The elements of a spline over a part of its domain. Cost: degree^3 / 2 for each span of every axis; then
+// axes + 1 contractions with their matrices for each element loaded. Precondition: every interval of the part
+// is inside the domain and not empty.
 class Elements {
 public:
     Elements(const Spline &spline, const pieces::Frame &frame, const Part &part);
@@ -41,13 +42,13 @@ public:
     [[nodiscard]] bool rational() const noexcept { return spline_.rational(); }
     [[nodiscard]] int degree(int k) const noexcept { return spline_.axis(k).degree(); }
     [[nodiscard]] int64_t coefficients() const noexcept { return coefficients_; }
-    // The part of an axis that an element stands for; last axis fastest.
+    // The interval of an axis that an element covers; elements are numbered with the last axis fastest.
     [[nodiscard]] Interval interval(int64_t element, int axis) const noexcept;
     void load(int64_t element, Element &out) const;
 
 private:
     struct AxisElements {
-        std::vector<double> matrices; // [degree + 1][degree + 1] each
+        std::vector<double> matrices; // one [degree + 1][degree + 1] per element of the axis
         std::vector<int64_t> firsts;
         std::vector<Interval> intervals;
     };
@@ -66,8 +67,8 @@ private:
     int64_t coefficients_ = 1;
 };
 
-// out[o][k][i] = sum over j < terms of in[o][j][i] matrix[j][k], k < count, rows of the matrix `stride`
-// apart.
+// out[o][k][i] = sum over j < terms of in[o][j][i] matrix[j][k], for k < count. The rows of the matrix are
+// `stride` apart.
 void contract(const double *in, int64_t outer, int terms, int64_t inner, const double *matrix, int stride,
               int count, double *out) noexcept;
 

@@ -13,7 +13,8 @@ namespace nrb::measure {
 
 namespace {
 
-// The area between two vectors: the longer one times what of the other is across it.
+// The area of the parallelogram of two vectors: the length of the longer one times that of the component of
+// the other one orthogonal to it.
 double parallelogram(const double *u, const double *v, int dim) noexcept {
     double uu = 0, vv = 0, uv = 0;
     for (int c = 0; c < dim; ++c) {
@@ -102,7 +103,7 @@ void MomentIntegrand::operator()(const double *x, const double *derivatives, dou
 }
 
 double MomentIntegrand::density(const double *, const double *d) const noexcept {
-    if (axes_ == dim_) { // a polynomial, whose sign is left to absolute()
+    if (axes_ == dim_) { // a polynomial; absolute() deals with its sign
         return axes_ == 1 ? d[0] : axes_ == 2 ? d[0] * d[3] - d[1] * d[2] : determinant(d, d + 3, d + 6);
     }
     if (axes_ == 2) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What moments are integrals of, and how they follow from these.
+// The integrands of moments, and the moments that follow from their integrals.
 #pragma once
 
 #include "measure/moments.h"
 
 namespace nrb::measure {
 
-// A density times 1, x and x x^T.
+// Moments of the shape itself: the density times 1, x and x x^T, where the density is the length, area or
+// volume element.
 class MomentIntegrand : public Integrand {
 public:
     MomentIntegrand(int axes, int dim, MomentOrder order) : axes_(axes), dim_(dim), order_(order) {}
@@ -32,7 +33,8 @@ private:
     MomentOrder order_;
 };
 
-// x . n on the boundary of a region times the same, and the normal itself of surfaces.
+// Moments of the region that a boundary encloses, by the divergence theorem: the density x . n, times
+// 1, x and x x^T, and for surfaces the vector area element.
 class BoundaryIntegrand : public MomentIntegrand {
 public:
     BoundaryIntegrand(int dim, MomentOrder order) : MomentIntegrand(dim - 1, dim, order) {}
@@ -52,20 +54,22 @@ protected:
 
 double determinant(const double *u, const double *v, const double *w) noexcept;
 
-// What the integrals of the density times functions of degree 0, 1 and 2 are multiplied by, and the dimension
-// of the content.
+// The factors by which the integrals of the density times functions of degree 0, 1 and 2 are multiplied, and
+// the dimension of the content.
 struct Factors {
     double content = 1, first = 1, second = 1;
     int dimension;
 };
 
-// Of what a boundary in n dimensions encloses: a cone over an element of it with its tip at the origin has 1 / (n + k) of x . n as
-// its integral of a function of degree k.
+// For what a boundary in n dimensions encloses: over the cone from the origin to an element of the boundary,
+// the integral of a homogeneous function of degree k is 1 / (n + k) of that function times x . n on the
+// element.
 constexpr Factors enclosed_factors(int n) noexcept {
     return {1.0 / n, 1.0 / (n + 1), 1.0 / (n + 2), n};
 }
 
-// From integrals in the frame of the model, of which the last `independent` ones are a vector area. Throws as moments().
+// The moments from integrals in the frame of the model; the last `independent` ones are the vector area.
+// Throws as moments().
 Moments moments_from(const Integrals &sums, int independent, const Factors &factors,
                      const pieces::Frame &frame, MomentOrder order, double relative_tolerance);
 

@@ -25,7 +25,7 @@ struct CurveEnd {
     std::vector<double> place;
 };
 
-// Of the parts between jumps; that of a periodic curve at its seam has no end there.
+// Appends the starts and ends of the parts between jumps. A periodic curve has no end at its seam.
 void add_ends(const Spline &curve, int64_t number, std::vector<CurveEnd> &starts,
               std::vector<CurveEnd> &ends) {
     const KnotVector &axis = curve.axis(0);

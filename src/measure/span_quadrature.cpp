@@ -31,7 +31,7 @@ SpanQuadrature::SpanQuadrature(const Spline &spline, int nodes) : spline_(spline
     checked_product(size_, spline.axes(), "params");
 }
 
-// Nodes are placed from the nearer end of their span, and rounded into it.
+// Each node is computed from the nearer end of its span, and clamped to the span.
 void SpanQuadrature::add_axis(const KnotVector &axis, int nodes) {
     const GaussRule rule = gauss_rule(nodes);
     std::vector<Node> &own = nodes_.emplace_back();
@@ -51,7 +51,8 @@ void SpanQuadrature::add_axis(const KnotVector &axis, int nodes) {
     }
 }
 
-// visit(nodes): one of each axis, the constant 1 on those that the spline lacks.
+// Calls visit(nodes) with one node of each axis; axes that the spline lacks have the constant 1 as their
+// rule.
 template <class Visit>
 void SpanQuadrature::for_each(Visit &&visit) const {
     static constexpr Node none{0, 1, 1};
@@ -100,7 +101,8 @@ std::vector<double> SpanQuadrature::weights() const {
     return found;
 }
 
-// Derivatives are taken by coordinates in [0, 1] of the spans, in units of the size of the spline.
+// Derivatives are taken with respect to coordinates in [0, 1] of each span, in units of the spline's size,
+// against overflow.
 std::vector<double> SpanQuadrature::measures() const {
     constexpr int64_t at_once = 1024;
     const int axes = spline_.axes(), dim = spline_.dim(), exponent = integral_frame(spline_).exponent;

@@ -9,7 +9,7 @@ namespace nrb::measure {
 
 namespace {
 
-// Takes off what it has of a vector of length 1.
+// Subtracts from x its component along a unit vector.
 void take_off(const double *unit, int dim, double *x) noexcept {
     double product = 0;
     for (int c = 0; c < dim; ++c) {
@@ -26,7 +26,7 @@ double spanned(std::vector<double> &vectors, int axes, int dim) noexcept {
     double product = 1;
     for (int k = 0; k < axes; ++k) {
         double *own = vectors.data() + k * dim;
-        for (int pass = 0; pass < 2; ++pass) { // twice is enough
+        for (int pass = 0; pass < 2; ++pass) { // re-orthogonalization: two passes are enough
             for (int j = 0; j < k; ++j) {
                 take_off(vectors.data() + j * dim, dim, own);
             }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What derivatives span.
+// The content spanned by derivative vectors.
 #pragma once
 
 #include <vector>
 
 namespace nrb::measure {
 
-// The length, area or volume that vectors [axes][dim] span, the root of Gram's determinant: the product of how far each is from
-// those before it. Overwrites them.
+// The length, area or volume spanned by vectors [axes][dim], which is the square root of Gram's determinant:
+// the product of the distances of each vector from the space of those before it (Gram-Schmidt). Overwrites
+// the vectors.
 double spanned(std::vector<double> &vectors, int axes, int dim) noexcept;
 
 } // namespace nrb::measure

@@ -18,18 +18,18 @@ namespace {
 
 constexpr int most_halvings_of_cell = 200;
 
-// By the number of axes: the level to begin with, the highest one.
+// By the number of axes: the level of the rules to begin with, and the highest one.
 constexpr std::array<int, max_axes> first_levels = {2, 2, 1}, last_levels = {4, 4, 3};
-// The limit of work of a search: multiply-adds whatever the splines, about a second, and rules of the first
-// levels for each of their elements.
+// The limit of work of a search: a fixed number of multiply-adds, about a second, plus that of this many
+// rules of the first level for each element.
 constexpr int64_t least_work = 2500000000;
 constexpr int64_t rules_for_an_element = 24;
 
-// What is known of the whole before the parts are integrated.
+// What is known of the whole integral before a search.
 struct Goal {
-    std::vector<double> tolerances; // of each value
+    std::vector<double> tolerances; // absolute, for each value
     double size = 0;
-    double fraction = 0; // of the tolerances, for however small an element
+    double fraction = 0; // every element may have this fraction of the tolerances, however small it is
 };
 
 class TensorSearch {
@@ -41,7 +41,7 @@ public:
         }
     }
 
-    // The rules of the first levels alone.
+    // A first estimate: rules of the first level on all elements.
     Integrals rough() {
         const Phase phase(0.25);
         start();
@@ -62,7 +62,7 @@ public:
         return finish();
     }
 
-    // With a share 1 / `shares` of the work that a call may do.
+    // One adaptive search, which may do 1 / `shares` of the work of a call.
     Integrals run(const Goal &goal, int shares) {
         start();
         left_ = least_work / shares;
@@ -100,7 +100,7 @@ private:
         return levels;
     }
 
-    // A value and derivatives at each node, each axis in turn, and what is integrated of them.
+    // The multiply-adds of a rule: the value and derivatives at each node, axis by axis, and the integrand.
     [[nodiscard]] int64_t work_of_rule(const Elements &elements, const Levels &levels) const noexcept {
         int64_t nodes = 1, degrees = 0;
         for (int k = 0; k < elements.axes(); ++k) {
@@ -131,11 +131,11 @@ private:
     }
 
     struct Verdict {
-        int axis = -1;      // the one that is to be refined, or -1
-        bool raise = false; // by a higher rule, else by halving
+        int axis = -1;      // the axis to refine, or -1
+        bool raise = false; // by a rule of a higher level instead of halving
     };
 
-    // The axis whose error exceeds what is allowed most.
+    // The axis whose error exceeds the allowed one by the largest factor.
     [[nodiscard]] Verdict judge(const TensorRule &rule, const Levels &levels, int axes,
                                 const Goal &goal) const {
         Verdict verdict;
@@ -194,12 +194,12 @@ private:
         }
     }
 
-    // Whether an element is neither exact nor as small as its error may be.
+    // Whether an element is neither integrated exactly nor negligible.
     [[nodiscard]] static bool matters(const TensorRule &rule, const Goal &goal) noexcept {
         return !rule.exact() && rule.magnitude(0) > goal.fraction * goal.tolerances[0];
     }
 
-    // Derivatives are off by a few eps of the spread for each degree.
+    // Adds the rounding of derivatives: a few eps of the spread for each degree.
     void add_rounding(const Elements &elements, const Element &element) noexcept {
         int degrees = 0;
         double product = 1;
@@ -223,7 +223,8 @@ private:
         depths_.push_back(depths_.back());
     }
 
-    // Of an element that could not be made good the last difference is the error.
+    // Adds the integrals of an element. If the element is not good enough, the last difference of its rules
+    // is taken as the error.
     void accept(const TensorRule &rule, int axes, bool good) {
         for (size_t j = 0; j < values_; ++j) {
             sums_[j].add(rule.value(static_cast<int>(j)));
@@ -240,7 +241,7 @@ private:
     const Integrand &integrand_;
     size_t values_;
     int64_t count_ = 0;
-    int64_t left_ = 0; // of the limit of work
+    int64_t left_ = 0; // work that is left
     std::vector<double> nets_;
     std::vector<int> depths_;
     std::vector<CompensatedSum> sums_, errors_;
@@ -258,7 +259,7 @@ Goal goal_of(const Integrals &known, const Integrand &integrand, double toleranc
     return goal;
 }
 
-// Sets whether it is within the goal.
+// Decides whether the errors are within the goal.
 void judge(Integrals &known, const Integrand &integrand, double tolerance) {
     const Goal goal = goal_of(known, integrand, tolerance, 1);
     known.converged = true;

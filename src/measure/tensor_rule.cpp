@@ -29,7 +29,8 @@ TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
     magnitudes_.resize(static_cast<size_t>(values_));
 }
 
-// Axis by axis from the last one: the values, and each derivative from the axis on which it is taken.
+// Evaluates values and derivatives at all nodes, axis by axis from the last one. The derivative along an axis
+// branches off from the values at that axis.
 void TensorRule::expand(const double *net, const Levels &levels) {
     const int width = dim_ + (rational_ ? 1 : 0);
     auto &values = nodes_[static_cast<size_t>(axes_)];
@@ -56,7 +57,7 @@ void TensorRule::expand(const double *net, const Levels &levels) {
     node_count_ = inner;
 }
 
-// x = A / w and x_k = (A_k - x w_k) / w.
+// Calls the integrand at one node, with x = A / w and x_k = (A_k - x w_k) / w.
 void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
     const auto component = [&](size_t slot, int c) {
         return nodes_[slot][static_cast<size_t>(c * node_count_ + node)];
@@ -81,7 +82,8 @@ void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
     }
 }
 
-// The nodes of a line along the last axis, in the sums across that axis; their sum to the others.
+// Adds the nodes of a line along the last axis to the sums across that axis, and computes the weighted sum of
+// the line.
 void TensorRule::add_line(int64_t first, const Line &line, const std::vector<double> &origin) {
     const auto values = static_cast<size_t>(values_);
     double *const across = across_.data() + (axes_ - 1) * values_ * rule_capacity;
@@ -127,7 +129,7 @@ void TensorRule::evaluate(const double *net, const std::vector<double> &origin, 
     finish(levels);
 }
 
-// To the sums across the axes before the last one.
+// Adds the sum of a line to the sums across the other axes.
 void TensorRule::add_line_sums(const std::array<int, 2> &at, const std::array<double, 2> &weights) {
     const auto values = static_cast<size_t>(values_);
     for (size_t k = 0; k + 1 < static_cast<size_t>(axes_); ++k) {

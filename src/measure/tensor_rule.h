@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One tensor product of nested rules on one element.
+// A tensor product of nested quadrature rules on one element.
 #pragma once
 
 #include "measure/tensor_integral.h"
@@ -11,18 +11,18 @@ namespace nrb::measure {
 
 using Levels = std::array<int, max_axes>;
 
-// The integrals of an integrand over an element by the rules of some levels, and what the sums across all
-// axes but one tell of each axis.
+// The integrals over an element by the rules of given levels, one for each axis, with an error estimate for
+// each axis from the sums across all other axes.
 class TensorRule {
 public:
     TensorRule(const Elements &elements, const Integrand &integrand);
 
-    // `net`: as in Element. Cost: one call of the integrand for each node, nodes of weight 0 left out.
+    // `net`: as in Element. Cost: one call of the integrand per node; nodes of weight 0 are left out.
     void evaluate(const double *net, const std::vector<double> &origin, const Levels &levels);
 
     [[nodiscard]] double value(int j) const noexcept { return decay(0, j).integral; }
     [[nodiscard]] double magnitude(int j) const noexcept { return magnitudes_[static_cast<size_t>(j)]; }
-    // Of the rule along one axis; 0 for polynomials that it integrates exactly.
+    // The estimated error of the rule along one axis; 0 for polynomials that it integrates exactly.
     [[nodiscard]] double error(int axis, int j) const noexcept;
     [[nodiscard]] bool exact() const noexcept {
         return std::all_of(exact_.begin(), exact_.begin() + axes_, [](bool x) { return x; });
@@ -35,9 +35,9 @@ private:
     void expand(const double *net, const Levels &levels);
     void visit_node(int64_t node, const std::vector<double> &origin);
     struct Line {
-        const double *weights; // along the last axis
+        const double *weights; // of the nodes of the line, which runs along the last axis
         int size;
-        double weight; // of the line
+        double weight; // product of the weights of the other axes
     };
     void add_line(int64_t first, const Line &line, const std::vector<double> &origin);
     void add_line_sums(const std::array<int, 2> &at, const std::array<double, 2> &weights);
@@ -54,12 +54,12 @@ private:
     int64_t node_count_ = 1;
     std::vector<double> place_, first_, out_;
     std::vector<double>
-        across_; // [axes][values][rule_capacity]: sums over all nodes with one place along an axis
+        across_; // [axes][values][rule_capacity]: sums over all nodes with the same position along an axis
     std::vector<double> magnitudes_;
-    std::vector<double> line_; // [2][values]: sums of a line, and of magnitudes
+    std::vector<double> line_; // [2][values]: the sums of a line, and those of its magnitudes
     std::vector<RuleDecay> decays_;
     std::array<bool, max_axes> exact_{};
-    bool positive_ = false, negative_ = false; // values of the first function seen
+    bool positive_ = false, negative_ = false; // signs of the first value that have been seen
 };
 
 } // namespace nrb::measure

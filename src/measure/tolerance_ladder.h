@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tolerances that an integral is computed to, one after the other.
+// The sequence of tolerances that an integral is tried with.
 #pragma once
 
 #include "base/numbers.h"
@@ -8,19 +8,19 @@
 
 namespace nrb::measure {
 
-// Relative tolerances. First comes the one that the caller gives. If that is below rounding, the caller wants
-// the best that double precision and the limit of work allow: then nine digits are tried next, six after them, and
-// three digits last. An integral that does not converge to three digits is taken for infinite.
+// The first relative tolerance is that of the caller. If it is below rounding, the caller wants the best that
+// double precision and the limit of work allow: then nine digits are tried next, six digits after that, and
+// three digits last. An integral that does not converge to three digits is considered infinite.
 class ToleranceLadder {
 public:
     explicit ToleranceLadder(double tolerance) noexcept
         : tolerance_(std::clamp(tolerance, rounding, 0.5)), best_(tolerance < rounding) {}
 
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
-    // The part 1 / n of the limit of work that may be spent on this one: little on rounding, which few integrals reach,
-    // and all on the last.
+    // A search with the current tolerance may do the part 1 / shares() of the work: little at the level of
+    // rounding, which few integrals reach, and all for the last tolerance.
     [[nodiscard]] int shares() const noexcept { return best_ ? parts[rung_] : 1; }
-    // False if no tolerance is left.
+    // Goes on to the next tolerance; false if none is left.
     bool loosen() noexcept {
         tolerance_ *= rung_ == 0 ? first_step : step;
         ++rung_;

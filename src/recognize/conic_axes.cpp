@@ -23,8 +23,8 @@ int exponent_of(double x) noexcept {
     return x == 0 ? -100000 : std::ilogb(x);
 }
 
-// The equation for coordinates divided by 2^exponent, times a power of two, so that the largest coefficients
-// of degree 2, and of the others, have a size near 1.
+// The equation in coordinates divided by 2^exponent, multiplied by a power of two. The largest coefficient of
+// degree 2 and the largest of the others (if any) then have magnitudes near 1.
 struct Scaled {
     Equation equation;
     int exponent = 0;
@@ -40,7 +40,7 @@ struct Scaled {
     }
 };
 
-// A sum of products of three numbers as if formed in twice the precision, and that of their magnitudes.
+// A sum of products of three numbers, computed as if in twice the precision, and the sum of their magnitudes.
 struct TripleProducts {
     CompensatedSum sum;
     double magnitudes = 0;
@@ -52,13 +52,13 @@ struct TripleProducts {
         sum.add(low * c);
         magnitudes += std::abs(abc);
     }
-    // 15 terms, each off by eps^2 of its product at most.
+    // The sum has 15 terms, each with an error of at most eps^2 times its product.
     [[nodiscard]] bool vanishes() const noexcept {
         return !(std::abs(sum.value()) > 100 * eps * eps * magnitudes);
     }
 };
 
-// Half of the determinant of the matrix of the equation, times 8; 0 for lines and points.
+// 4 det Q, where Q is the symmetric 3 x 3 matrix of the equation; 0 for lines and points.
 TripleProducts determinant(const Equation &q) noexcept {
     TripleProducts sum;
     sum.add(4 * q.a, q.c, q.f);
@@ -69,7 +69,7 @@ TripleProducts determinant(const Equation &q) noexcept {
     return sum;
 }
 
-// The eigenvalue of largest magnitude of the quadratic part with its direction. Precondition: a + c >= 0.
+// The eigenvalue of largest magnitude of the quadratic part, with its direction. Precondition: a + c >= 0.
 struct Principal {
     double value;
     double x, y;
@@ -79,7 +79,7 @@ struct Principal {
         value = (q.a + q.c + root) / 2;
         x = 1;
         y = 0;
-        if (root > 0) { // cos and sin of half the angle of (difference, b), without cancellation
+        if (root > 0) { // cosine and sine of half the angle of (difference, b), without cancellation
             const double large = std::sqrt((1 + std::abs(difference) / root) / 2);
             const double small = q.b / (2 * root * large);
             x = difference >= 0 ? large : std::abs(small);
@@ -88,7 +88,8 @@ struct Principal {
     }
 };
 
-// With the quadratic form value X^2 + other Y^2, X along the principal direction.
+// For ellipses and hyperbolas: the quadratic part is value X^2 + other Y^2, with X along the principal
+// direction. at_centre: the value of the equation at the centre.
 void central_axes(const Equation &q, const Principal &principal, double four_ac, double at_centre,
                   ConicAxes &axes) noexcept {
     axes.origin[0] = difference_of_products(q.b, q.e, 2 * q.c, q.d) / four_ac;
@@ -106,9 +107,9 @@ void central_axes(const Equation &q, const Principal &principal, double four_ac,
     axes.x[1] = sign * y + 0.0;
 }
 
-// value X^2 + across X + along Y + f, with Y along the axis.
+// For parabolas: the equation is value X^2 + across X + along Y + f, with Y along the axis of the parabola.
 void parabola_axes(const Equation &q, ConicAxes &axes) noexcept {
-    const bool first = q.a >= q.c; // a row of the matrix of rank 1 gives the direction X
+    const bool first = q.a >= q.c; // the larger row of the matrix, which has rank 1, gives the direction of X
     const double value = q.a + q.c;
     const double norm = first ? std::hypot(q.a, q.b / 2) : std::hypot(q.b / 2, q.c);
     const double x = (first ? q.a : q.b / 2) / norm, y = (first ? q.b / 2 : q.c) / norm;
@@ -125,7 +126,7 @@ void parabola_axes(const Equation &q, ConicAxes &axes) noexcept {
     axes.sizes[1] = 0;
 }
 
-// That of 4 a c - b^2.
+// The exact sign of 4 a c - b^2.
 int discriminant_sign(const double *q) noexcept {
     return std::abs(q[0]) < 1 ? compare_products(4 * q[0], q[2], q[1], q[1])
                               : compare_products(q[0], q[2], q[1] / 2, q[1] / 2);

@@ -15,7 +15,8 @@ bool straight(int32_t kind) noexcept {
     return kind == shape_point || kind == shape_line || kind == shape_plane;
 }
 
-// The largest distance of control points that a function of them gives; it is convex and homogeneous.
+// The largest value of a distance function at the control points. It bounds the distance of the piece because
+// the function is convex and homogeneous.
 template <class Distance>
 double hull_bound(const pieces::BezierPiece &piece, Distance distance) {
     double largest = 0;
@@ -50,7 +51,7 @@ Vector3 middle_of(const pieces::BezierPiece &piece) noexcept {
     return (1 / count) * sum;
 }
 
-// Of d >= 0 where d^2 - r^2 lies in a range: the largest |d - r|.
+// For d >= 0 with d^2 - r^2 in [least, most]: a bound on |d - r|.
 DistanceBound from_square(double least, double most, double error, double r) noexcept {
     const double square = r * r;
     const double outside = most > 0 ? most / (r + std::sqrt(square * (1 - 4 * eps) + most)) : 0;
@@ -95,7 +96,7 @@ double PieceDistance::lower(const pieces::BezierPiece &piece, double noise) cons
     return std::max(0.0, largest * (1 - 64 * eps) - 64 * eps * piece.reach() - noise);
 }
 
-// In the plane of a circle or conic.
+// For circles and conics the distance within their plane; for quadric surfaces the distance.
 DistanceBound PieceDistance::in_plane(const pieces::BezierPiece &piece) const {
     if (quadric_.round()) {
         const FormRange range = ShapeForms(piece).quadratic(quadric_);
@@ -105,13 +106,14 @@ DistanceBound PieceDistance::in_plane(const pieces::BezierPiece &piece) const {
     return extent.upper < bound.upper || beyond(piece, bound.upper) ? extent : bound;
 }
 
-// Whether a zero of the equation so near may be one of the other half of a cone or branch of a hyperbola.
+// Whether a zero of the equation within this distance may belong to the other half of the cone or the other
+// branch of the hyperbola.
 bool PieceDistance::beyond(const pieces::BezierPiece &piece, double distance) const noexcept {
     return (shape_.kind == shape_cone && smallest_coordinate(piece, &Vector3::z) < distance) ||
            (shape_.kind == shape_hyperbola && smallest_coordinate(piece, &Vector3::x) < distance);
 }
 
-// As Quadric::curvature() has it.
+// The bound of Quadric::curvature().
 DistanceBound PieceDistance::by_gradient(const pieces::BezierPiece &piece) const {
     const ShapeForms forms(piece);
     const FormRange value = forms.quadratic(quadric_);
@@ -125,8 +127,9 @@ DistanceBound PieceDistance::by_gradient(const pieces::BezierPiece &piece) const
     return {f / divisor, value.error / divisor};
 }
 
-// With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of (s - R)^2 + z^2 - r^2 = G -
-// 2 R s and (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2.
+// With s the distance from the axis and G = s^2 + z^2 + R^2 - r^2, the product of
+// (s - R)^2 + z^2 - r^2 = G - 2 R s and (s + R)^2 + z^2 - r^2 = G + 2 R s is G^2 - 4 R^2 s^2. Divided by a
+// lower bound on the second factor, its range bounds the first one.
 DistanceBound PieceDistance::from_torus(const pieces::BezierPiece &piece) const {
     const double major = shape_.sizes[0], minor = shape_.sizes[1];
     const TorusForms torus = ShapeForms(piece).torus(major, minor);
@@ -142,15 +145,16 @@ DistanceBound PieceDistance::from_torus(const pieces::BezierPiece &piece) const 
     return extent.upper < bound.upper || across_axis(torus, bound.upper) ? extent : bound;
 }
 
-// Whether the nearest point of a circle that crosses the axis may be beyond it, where a torus has no points:
-// at s - R + R d / r, times r / d, which is positive if s r >= R (r - d).
+// For a torus with r > R: whether the nearest point of the generating circle may be beyond the axis, where
+// the outer torus has no points. With d the distance from the centre of that circle, the nearest point is at
+// R + (s - R) r / d from the axis, which is not negative if s r >= R (r - d).
 bool PieceDistance::across_axis(const TorusForms &torus, double distance) const noexcept {
     const double major = shape_.sizes[0], minor = shape_.sizes[1];
     const double least = std::sqrt(std::max(0.0, torus.squared_radius.least));
     return minor > major && !(least * minor >= major * distance * (1 + 8 * eps));
 }
 
-// The distance of a point and the radius of a ball round it that holds all control points.
+// The distance of one point plus the radius of a ball about it that contains all control points.
 double PieceDistance::by_extent(const pieces::BezierPiece &piece) const {
     const Vector3 middle = middle_of(piece);
     const bool plane = shape_.planar();

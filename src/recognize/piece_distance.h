@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a Bezier piece is from a shape at most.
+// Bounds on the distance of a Bezier piece from a shape.
 #pragma once
 
 #include "base/numbers.h"
@@ -10,20 +10,21 @@ namespace nrb::recognize {
 
 struct DistanceBound {
     double upper = infinity;
-    double noise = 0; // what rounding has in it
+    double noise = 0; // the part of `upper` that is due to rounding
 };
 
-// The equation of the shape along the piece bounds the value of that equation: of circles, spheres and
-// cylinders the square of the distance from the middle, of a torus that from its central circle times a
-// factor which has a bound from below, of the other quadrics a distance by their gradient. Where the gradient
-// is small beside the value, the bound is the distance of one point with the extent of the piece.
+// The upper bound follows from the range of the values of the shape's implicit equation along the piece. For
+// circles, spheres and cylinders, the value is the squared distance from the centre or axis minus a constant;
+// for a torus, it is the squared distance from the central circle, minus a constant, times a factor that is
+// bounded from below; for the other quadrics, the gradient converts values to distances. Where the gradient
+// is small compared to the value, the bound is the distance of one point plus the extent of the piece.
 class PieceDistance {
 public:
     explicit PieceDistance(const Shape &shape);
 
-    // Precondition: the piece is sound.
+    // Precondition: the piece is sound().
     [[nodiscard]] DistanceBound upper(const pieces::BezierPiece &piece) const;
-    // Of the corners, at most the true distance less the noise.
+    // The largest distance of a corner: at most the true distance minus `noise`.
     [[nodiscard]] double lower(const pieces::BezierPiece &piece, double noise) const;
 
 private:

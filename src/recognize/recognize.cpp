@@ -25,8 +25,8 @@ void check_admitted(const Spline &spline) {
     check_dimension(spline, 2, 3);
 }
 
-// The exponent of the largest extent of the box of the control points, or of the largest coordinate if that
-// is 0.
+// The exponent of the largest half-extent of the box of the control points or, if that is 0, of the largest
+// coordinate.
 int size_exponent(const Spline &spline) {
     double largest = 0, extent = 0;
     for (int c = 0; c < spline.dim(); ++c) {
@@ -62,7 +62,8 @@ constexpr int32_t curves[] = {shape_point,    shape_line,    shape_circle,
 constexpr int32_t surfaces[] = {shape_point,    shape_line, shape_plane, shape_sphere,
                                 shape_cylinder, shape_cone, shape_torus};
 
-// Whether some sample is farther from the line from the middle of their box to the farthest of them.
+// Whether some sample is farther than `width` from the line that passes through the centre of the box of the
+// samples and the sample farthest from it.
 bool wider_than(const ShapeSamples &samples, double width) {
     const auto far =
         std::max_element(samples.points.begin(), samples.points.end(),
@@ -72,9 +73,10 @@ bool wider_than(const ShapeSamples &samples, double width) {
                                            [&](const Vector3 &p) { return length(cross(along, p)) > width; });
 }
 
-// Whether the samples of a surface tell at once that it is larger than a point, or wider than a line: if all
-// were within the tolerance of one, the middle of their box would be within twice that of it, and so would
-// the line from there to the farthest sample be of all others.
+// Whether the samples of a surface show at once that it is larger than a point, or wider than a line. If all
+// samples were within the tolerance of a point, half the diagonal of their box would be less than twice the
+// tolerance. If they were within the tolerance of a line, they would be within a small multiple of it of the
+// line from the centre of their box to the sample farthest from there.
 bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
     if (kind == shape_point) {
         return samples.size > 2 * tolerance;
@@ -82,15 +84,15 @@ bool too_large(int32_t kind, const ShapeSamples &samples, double tolerance) {
     return wider_than(samples, 16 * tolerance);
 }
 
-// Whether the samples differ only by rounding from those of a point (for a line), or from those of a line or
-// point (for a plane): then they have no direction, or no plane, of their own.
+// Whether the samples differ only by rounding from a point (for kind line), or from a line or point
+// (for kind plane), and therefore define no direction, or no plane.
 bool undetermined(int32_t kind, const ShapeSamples &samples) {
     const double rounding = 64 * eps * (length(samples.centre) + samples.size);
     return (kind == shape_line && samples.size <= rounding) ||
            (kind == shape_plane && !wider_than(samples, rounding));
 }
 
-// Whether there is one of a kind within the tolerance.
+// Whether a shape of a kind is within the tolerance.
 bool find(int32_t kind, const Spline &spline, const ShapeSamples &samples, double tolerance,
           Recognition &found) {
     const bool shrunk = kind == shape_point || kind == shape_line;

@@ -20,7 +20,7 @@ struct Candidate {
 };
 using Queue = pieces::BestFirst<Candidate>;
 
-constexpr int64_t work_of_a_coefficient = 256; // products with others, and memory
+constexpr int64_t work_of_a_coefficient = 256; // products with other coefficients, and memory
 
 class Search {
 public:
@@ -39,13 +39,13 @@ public:
     }
 
 private:
-    // Rounding much above that of the points comes from a gradient that is bounded badly, which halving
-    // cures.
+    // Noise much larger than the rounding of the points stems from a poor bound on the gradient, which
+    // halving improves.
     [[nodiscard]] bool done(const Queue::Entry &top) const noexcept {
         const double moved = top.item.piece.sound() ? top.item.piece.records_moved() : 0;
         const bool final = top.item.depth >= 6 || top.item.noise <= 8 * moved;
         const double noise = final ? top.item.noise : 8 * moved;
-        const bool hopeless = lower_ > tolerance_ || moved > tolerance_; // rounding alone is more
+        const bool hopeless = lower_ > tolerance_ || moved > tolerance_; // rounding alone exceeds it
         return hopeless || top.bound - noise <= 1.25 * (lower_ + noise);
     }
 
@@ -60,7 +60,7 @@ private:
         return true;
     }
 
-    // A part has no larger distances than the whole.
+    // The distance of a part is at most that of the whole.
     void push(pieces::BezierPiece &&piece, double whole, int depth) {
         DistanceBound bound;
         count_work(work_of_a_coefficient * piece.coefficients());

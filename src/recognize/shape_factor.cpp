@@ -26,7 +26,7 @@ void check_segment(const Spline &curve) {
     }
 }
 
-// The three Bezier points as (point, weight), the point times the weight where `homogeneous`.
+// The three Bezier points and their weights; points are multiplied by their weights if `homogeneous`.
 struct Segment {
     bool homogeneous;
     int dim;
@@ -65,8 +65,9 @@ Segment bezier_segment(const Spline &curve) {
     return segment;
 }
 
-// Whether b lies on the line through a and c to within 4 eps of the largest coordinate. The distance of b
-// from it is that of the residual of the shorter leg, which is projected twice to get rid of cancellation.
+// Whether b lies on the line through a and c to within 4 eps of the largest coordinate. Its distance from the
+// line is the length of the leg from a to b projected orthogonally to the line; a second projection removes
+// the effect of cancellation.
 bool on_line(const double *a, const double *b, const double *c, int dim) {
     const auto n = static_cast<size_t>(dim);
     double size = 0;
@@ -89,7 +90,7 @@ bool on_line(const double *a, const double *b, const double *c, int dim) {
     return norm(leg.data(), dim) <= 4 * eps * size;
 }
 
-// The three points of the triangle in the order in which the last two are the ends of its longest side.
+// The line is taken through the ends of the longest side of the triangle.
 bool collinear(const Segment &segment) {
     const double *p[3] = {segment.point(0), segment.point(1), segment.point(2)};
     const int dim = segment.dim;
@@ -99,7 +100,7 @@ bool collinear(const Segment &segment) {
     return on_line(p[(apex + 1) % 3], p[apex], p[(apex + 2) % 3], dim);
 }
 
-// Cartesian points; one at infinity is replaced by a point in its direction.
+// Computes Cartesian points. A point at infinity is replaced by a point in its direction from the first one.
 void divide(Segment &segment) {
     for (size_t i = 0; i < 3; ++i) {
         const double w = segment.weights[i];

@@ -14,7 +14,7 @@ namespace {
 
 using Points = std::vector<Vector3>;
 
-constexpr double cutoff = 1e-14; // of singular values, in equations whose solution is refined
+constexpr double cutoff = 1e-14; // relative, for singular values of equations that are refined later
 
 Vector3 mean_of(const Points &points) noexcept {
     Vector3 sum;
@@ -37,7 +37,8 @@ SmallSvd principal(const Points &points, const Vector3 &centre) {
     return {rows, 3};
 }
 
-// The mean with the axis along which the points spread least, or most, and x along which they do most.
+// The mean of the points; z along the principal axis of least spread, x along that of most. In dimension 2, z
+// is (0, 0, 1).
 Shape plane_of(const Points &points, int dim) {
     Shape shape;
     shape.kind = shape_plane;
@@ -58,7 +59,7 @@ Shape line_of(const Points &points) {
     return shape;
 }
 
-// The circle or sphere through points of the plane z = 0 or of space, by |p|^2 = 2 c p + k.
+// The circle or sphere that fits points of the plane z = 0 or of space, by |p|^2 = 2 c . p + k.
 struct Round {
     Vector3 centre;
     double radius;
@@ -116,8 +117,8 @@ double reach_of(const Points &points, double Vector3::*coordinate) noexcept {
     return reach;
 }
 
-// The conic in the plane of the points, in coordinates stretched to the same reach on both axes, where even a
-// short arc gives equations that are far from dependent.
+// The equation of the conic that fits points in their plane. Coordinates are scaled to the same extent on
+// both axes, so that the equations of even a short arc are well conditioned.
 std::vector<double> conic_through(const Points &points) {
     const double a = reach_of(points, &Vector3::x), b = reach_of(points, &Vector3::y);
     if (!(a > 0) || !(b > 0)) {
@@ -140,7 +141,7 @@ Vector3 in_plane(const Shape &plane, const double *x) noexcept {
     return x[0] * plane.x + x[1] * plane.y;
 }
 
-// An ellipse or hyperbola, whichever the equation gives.
+// An ellipse or hyperbola; empty if the fitted equation is not of the requested kind.
 Shape central_conic_in(int32_t kind, const Shape &plane, const Points &points, double tolerance) {
     const Points flat = local_points(plane, points, true);
     const std::vector<double> q = conic_through(flat);
@@ -154,13 +155,13 @@ Shape central_conic_in(int32_t kind, const Shape &plane, const Points &points, d
     shape.origin = plane.origin + in_plane(plane, axes.origin);
     shape.set_frame(plane.z, in_plane(plane, axes.x));
     std::copy_n(axes.sizes, 2, shape.sizes);
-    if (kind == shape_hyperbola && shape.local(points.front()).x < 0) { // the branch
+    if (kind == shape_hyperbola && shape.local(points.front()).x < 0) { // points go on the branch x > 0
         shape.set_frame(plane.z, -1 * shape.x);
     }
     return shape.sizes[1] > 0 ? refined_if(shape, points, tolerance) : Shape{};
 }
 
-// The parabola with an axis in the given direction: x = a y^2 + b y + c.
+// The parabola x = a y^2 + b y + c with its axis along x of the frame.
 Shape parabola_along(const Shape &frame, const Points &points, double tolerance) {
     std::vector<double> rows, right;
     for (const Vector3 &p : local_points(frame, points, true)) {
@@ -177,15 +178,16 @@ Shape parabola_along(const Shape &frame, const Points &points, double tolerance)
     return refined_if(shape, points, tolerance);
 }
 
-// The axis of a parabola is the direction in which its quadratic part vanishes; in a short arc, where that is
-// not well defined, the normal of the chord serves as well.
+// The axis of a parabola is the direction in which its quadratic part vanishes. In a short arc, that
+// direction is poorly determined, and the normal of the chord serves as well; the better of both results is
+// taken.
 Shape parabola_in(const Shape &plane, const Points &points, double tolerance) {
     const std::vector<double> q = conic_through(local_points(plane, points, true));
     if (q.empty()) {
         return {};
     }
     const double size = std::hypot(q[0] - q[2], q[1]), half = std::atan2(q[1], q[0] - q[2]) / 2;
-    const bool upper = q[0] + q[2] >= 0; // the direction of the larger eigenvalue, or of the smaller one
+    const bool upper = q[0] + q[2] >= 0; // larger eigenvalue dominates; the axis belongs to the other
     const double axis[] = {upper ? -std::sin(half) : std::cos(half), upper ? std::cos(half) : std::sin(half)};
     Shape frame = plane, across = plane;
     frame.set_frame(plane.z, in_plane(plane, axis));
@@ -206,7 +208,7 @@ Shape sphere_through(const Points &points, double tolerance) {
     return refined_if(shape, points, tolerance);
 }
 
-// All normals are across the axis.
+// All normals are orthogonal to the axis.
 Shape cylinder_through(const ShapeSamples &samples, double tolerance) {
     Shape shape;
     shape.kind = shape_cylinder;
@@ -218,7 +220,7 @@ Shape cylinder_through(const ShapeSamples &samples, double tolerance) {
     return refined_if(shape, samples.points, tolerance);
 }
 
-// All tangent planes pass through the apex, and all normals have one angle with the axis.
+// All tangent planes pass through the apex, and all normals make the same angle with the axis.
 Shape cone_through(const ShapeSamples &samples, double tolerance) {
     std::vector<double> rows, right;
     for (size_t i = 0; i < samples.normals.size(); ++i) {
@@ -243,8 +245,8 @@ Shape cone_through(const ShapeSamples &samples, double tolerance) {
     return refined_if(shape, samples.points, tolerance);
 }
 
-// A normal n at p meets the axis through c in the direction a where (p x n) a + n (c x a) = 0: linear in a
-// and c x a.
+// The line along a normal n at p meets the axis through c with direction a if (p x n) . a + n . (c x a) = 0,
+// which is linear in a and c x a (Pluecker coordinates).
 Shape torus_through(const ShapeSamples &samples, double tolerance) {
     std::vector<double> rows;
     for (size_t i = 0; i < samples.normals.size(); ++i) {

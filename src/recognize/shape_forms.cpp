@@ -10,8 +10,9 @@ namespace nrb::recognize {
 
 namespace {
 
-// Of quotients of coefficients, of which the denominators are all >= 0. A rounding of the denominators moves
-// a mean of quotients by twice its error, and the quotients themselves take one.
+// The range of quotients of coefficients; infinite unless the denominators are >= 0, and 0 only with the
+// numerator. A relative error of the denominators changes a weighted mean of the quotients by twice that
+// error, and the quotients themselves are rounded once.
 FormRange range_of(const std::vector<double> &numerators, const std::vector<double> &denominators,
                    double error, double relative) noexcept {
     double least = infinity, most = -infinity;
@@ -65,8 +66,8 @@ void ShapeForms::add_product(Values &sum, double factor, const Values &a, const 
                    [factor](double s, double p) { return s + factor * p; });
 }
 
-// Of |k.x| x^2 + |k.y| y^2 + |k.z| z^2 + 2 |l x| + |c| among the control points: the sum of the magnitudes of
-// all terms, by the inequality of Cauchy and Schwarz.
+// The maximum of |k.x| x^2 + |k.y| y^2 + |k.z| z^2 + 2 |linear x| + |c| over the control points; it bounds
+// the sum of the magnitudes of all terms, by the Cauchy-Schwarz inequality.
 double ShapeForms::largest(const Quadric &squares, double linear) const noexcept {
     double quadratic = 0, reach = 0;
     for (int64_t i = 0; i < piece_.coefficients(); ++i) {
@@ -95,8 +96,8 @@ ShapeForms::Values ShapeForms::numerators(const Quadric &quadric) const {
     return sum;
 }
 
-// Each product has a rounding of its own, one of its coefficient, which is itself within 3 eps, and 4 of the
-// sum.
+// Each product has its own rounding error, one of the multiplication by its coefficient, which itself is
+// accurate to 3 eps, and at most 4 of the sum.
 FormRange ShapeForms::quadratic(const Quadric &quadric) const {
     return range(numerators(quadric), 1.01 * (product_error_ + 6 * eps) * largest(quadric, quadric.l));
 }
@@ -108,8 +109,8 @@ FormRange ShapeForms::squared_gradient(const Quadric &quadric) const {
     return range(numerators(squares), 1.01 * (product_error_ + 10 * eps) * largest(squares, squares.l));
 }
 
-// G^2 - 4 R^2 S, or with K = G - 2 R^2 and V = z^2 - r^2 the same as K^2 + 4 R^2 V: near the axis G and S are
-// small, on a slender torus K and V are. The one with less rounding is taken.
+// The product is G^2 - 4 R^2 S or, with K = G - 2 R^2 and V = z^2 - r^2, equivalently K^2 + 4 R^2 V. Near the
+// axis, G and S are small; on a slender torus, K and V are. The form with the smaller rounding error is used.
 TorusForms ShapeForms::torus(double major, double minor) const {
     const double apart = (major - minor) * (major + minor), four = 4 * major * major;
     Values radius(squares_.size(), 0.0), height = radius;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polynomials of the coordinates along a piece, over powers of its weight.
+// Bernstein forms along a piece of the polynomials in implicit equations, over powers of the weight.
 #pragma once
 
 #include "recognize/shape_pieces.h"
@@ -8,8 +8,8 @@
 
 namespace nrb::recognize {
 
-// Between what bounds the values of a polynomial over a power of the weight lie; `error` is what rounding has
-// in them.
+// Bounds on the values of a polynomial over a power of the weight; they include `error`, the part due to
+// rounding.
 struct FormRange {
     double least;
     double most;
@@ -22,25 +22,25 @@ struct TorusForms {
     FormRange product;        // G^2 - 4 R^2 S
 };
 
-// Bernstein coefficients times their binomials, so that products are convolutions; in quotients of
-// coefficients the binomials of the product fall out. Of a term a b of two factors rounding takes at most
-// product_error() times the sum of the magnitudes of its products, which is at most the largest |a| / w times
-// the largest |b| / w, times w^2. Cost: for a piece of n coefficients n^2 operations a product, n^2 2^(2
-// axes) for the torus.
+// Coefficients are stored multiplied by their binomials, so that products are convolutions; in quotients of
+// coefficients, the binomials of the product cancel. The rounding error of a product a b is at most
+// product_error() times the sum of the magnitudes of its terms, which is at most w^2 times the largest
+// |a| / w times the largest |b| / w. Cost: for a piece with n coefficients, n^2 operations per product, and
+// n^2 2^(2 axes) for the torus.
 class ShapeForms {
 public:
-    // Precondition: the piece is sound.
+    // Precondition: the piece is sound().
     explicit ShapeForms(const pieces::BezierPiece &piece);
 
     [[nodiscard]] FormRange quadratic(const Quadric &quadric) const;
-    // Of half the gradient.
+    // The squared length of half the gradient.
     [[nodiscard]] FormRange squared_gradient(const Quadric &quadric) const;
     [[nodiscard]] TorusForms torus(double major, double minor) const;
 
 private:
     using Values = std::vector<double>;
 
-    // a^2 + factor b w^2, and what rounding it would have.
+    // The terms of a^2 + factor b w^2, with a bound on the rounding error.
     struct Fourth {
         const Values &a;
         const Values &b;
@@ -56,8 +56,8 @@ private:
     [[nodiscard]] FormRange range(const Values &numerators, double error) const noexcept;
 
     const pieces::BezierPiece &piece_;
-    BernsteinShape single_; // of the coordinates
-    BernsteinShape double_; // of their products
+    BernsteinShape single_; // for a coordinate
+    BernsteinShape double_; // for a product of coordinates
     Values x_, y_, z_, w_;
     Values squares_; // w^2
     double product_error_;

@@ -63,7 +63,8 @@ double signed_distance(const Shape &shape, const Vector3 &p) noexcept {
 
 namespace {
 
-// A point of a conic with its derivatives: of an ellipse by the angle, of the others by y.
+// A point of a conic with its derivatives: for an ellipse with respect to the angle, otherwise with respect
+// to y.
 struct ConicPoint {
     double x, y, dx, dy, ddx, ddy;
 };
@@ -80,7 +81,8 @@ ConicPoint conic_point(const Shape &shape, double t) noexcept {
     return {a * root, t, a / b * slope, 1, a / b / b / (root * root * root), 0};
 }
 
-// By Newton's method for the foot of the perpendicular; every point of the conic is far enough.
+// Newton's method for the foot point. The result is an upper bound whether or not it converges, as every
+// iterate is a point of the conic.
 double conic_distance(const Shape &shape, const Vector3 &p) noexcept {
     const bool ellipse = shape.kind == shape_ellipse;
     double t = ellipse ? std::atan2(shape.sizes[0] * p.y, shape.sizes[1] * p.x) : p.y;
@@ -100,8 +102,8 @@ double conic_distance(const Shape &shape, const Vector3 &p) noexcept {
     return distance;
 }
 
-// From the outer part of a torus that cuts itself: where the nearest point of its circle is beyond the axis,
-// a cusp is nearest.
+// The distance from the outer part of a torus, which may intersect itself: if the nearest point of the
+// generating circle is beyond the axis, the nearest point of the torus is one of its two points on the axis.
 double torus_distance(const Shape &shape, const Vector3 &p) noexcept {
     const double major = shape.sizes[0], minor = shape.sizes[1];
     const double s = std::hypot(p.x, p.y), d = std::hypot(s - major, p.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines, circles, conics, planes and the simple surfaces: where one stands, and how far a point is from it.
+// Lines, circles, conics, planes and simple surfaces: their parameters, and distances of points from them.
 #pragma once
 
 #include "numeric/vector3.h"
@@ -19,12 +19,13 @@ enum ShapeKind : int32_t {
     shape_plane,
     shape_sphere,
     shape_cylinder,
-    shape_cone, // one half of it
+    shape_cone, // one half of the double cone
     shape_torus,
 };
 
-// One of the shape_ constants with its numbers as nurbs_recognize() has them; x, y, z is a right-handed
-// frame of unit vectors, z the axis. In dimension 2 all third coordinates are 0, but for z = (0, 0, +-1).
+// A shape: one of the shape_ constants with its numbers as specified for nurbs_recognize(). x, y, z is a
+// right-handed frame of unit vectors with z as the axis. In dimension 2, all third coordinates are 0 except
+// for z = (0, 0, +-1).
 struct Shape {
     int32_t kind = shape_none;
     Vector3 origin;
@@ -37,37 +38,38 @@ struct Shape {
         const Vector3 p = point - origin;
         return {dot(x, p), dot(y, p), dot(z, p)};
     }
-    // With z of unit length and y across it.
+    // Sets z to the normalized axis, x to the normalized part of `direction` orthogonal to it, and y = z x x.
     void set_frame(const Vector3 &axis, const Vector3 &direction) noexcept;
     [[nodiscard]] bool planar() const noexcept { return kind >= shape_circle && kind <= shape_hyperbola; }
 };
 
-// The equation k.x x^2 + k.y y^2 + k.z z^2 + 2 l x + c = 0 of a shape in its frame, each coefficient within 3
-// eps of itself. A circle or conic is that of its plane.
+// The equation k.x x^2 + k.y y^2 + k.z z^2 + 2 l x + c = 0 of a shape in its own frame, with coefficients
+// accurate to 3 eps. For a circle or conic, the equation in its plane.
 struct Quadric {
     Vector3 k;
     double l = 0;
     double c = 0;
 
-    // The largest magnitude of k: a step s from a point with the value f and half the gradient h changes f by
-    // at most 2 h s + curvature() s^2, and by at least 2 h s - curvature() s^2 along the gradient. So a point
-    // is at least f / (h + sqrt(h^2 + curvature() f)) and at most f / (h + sqrt(h^2 - curvature() f)) from a
-    // zero, f = |value|.
+    // The largest magnitude of k. A step s from a point at which the equation has the value f and half its
+    // gradient has length h changes f by at most 2 h s + curvature() s^2, and along the gradient by at least
+    // 2 h s - curvature() s^2. A point with f = |value| is therefore at least
+    //   f / (h + sqrt(h^2 + curvature() f)) and at most f / (h + sqrt(h^2 - curvature() f))
+    // away from a zero.
     [[nodiscard]] double curvature() const noexcept { return largest(k); }
-    // Whether the square of half the gradient is the value less c.
+    // Whether the squared length of half the gradient is the value minus c.
     [[nodiscard]] bool round() const noexcept;
 };
 // Precondition: not a point, line, plane or torus.
 Quadric quadric_of(const Shape &shape) noexcept;
 
-// A distance of a point in the frame of the shape from it, with a sign where the shape has sides: exact but
-// for conics that are no circles, where it is at most the true one and equal to it in the limit. For circles
-// and conics in their plane.
+// The distance of a point, given in the frame of the shape, from the shape, with a sign if the shape has
+// sides. It is exact except for ellipses, parabolas and hyperbolas, where it is a lower bound that becomes
+// exact near the conic. For circles and conics, the distance is measured within their plane.
 double signed_distance(const Shape &shape, const Vector3 &p) noexcept;
-// At most the true distance, with that from the plane of a curve.
+// A lower bound on the distance; for curves, it includes the distance from their plane.
 double least_distance(const Shape &shape, const Vector3 &p) noexcept;
-// At least the true distance, within a circle's or conic's plane, and from one half of a cone or one branch
-// of a hyperbola; almost always equal to it.
+// An upper bound on the distance, almost always equal to it: for circles and conics within their plane, for a
+// cone from one half, for a hyperbola from one branch.
 double most_distance(const Shape &shape, const Vector3 &p) noexcept;
 
 } // namespace nrb::recognize

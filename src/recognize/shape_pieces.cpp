@@ -10,11 +10,11 @@ namespace nrb::recognize {
 
 namespace {
 
-// The frame is orthonormal to 10 eps: z is a unit vector to 2 eps, x across it to 2 eps more, y their
-// product; three products and sums add 3 eps.
+// The frame is orthonormal to 10 eps: z is a unit vector to 2 eps, x is orthogonal to it to 2 eps more, and y
+// is their cross product. Three products and their sum add 3 eps.
 constexpr double frame_error = 16 * eps;
 
-// The sum of the steps from control point to control point along an axis.
+// The sum of the lengths of the legs of the control net along an axis.
 double spread(const pieces::BezierPiece &piece, int axis) noexcept {
     int64_t step = 1;
     for (int k = piece.axes(); k-- > axis + 1;) {
@@ -30,9 +30,9 @@ double spread(const pieces::BezierPiece &piece, int axis) noexcept {
     return sum / static_cast<double>(piece.coefficients()) * (piece.degree(axis) + 1);
 }
 
-// A Moebius map of the parameter of every axis, by which the weights at its ends come near each other, so
-// that the middle of the parameter is near that of the piece. Exact, since weights are multiplied by powers
-// of two.
+// Applies a Moebius transformation to the parameter of each axis that makes the weights at its ends nearly
+// equal, so that the middle of the parameter is near the middle of the piece. It is exact, since weights are
+// multiplied by powers of two.
 void balance(const BernsteinShape &shape, std::vector<double> &values) noexcept {
     int64_t step = 1;
     for (size_t k = shape.degrees.size(); k-- > 0; step *= shape.degrees[k] + 1) {
@@ -49,7 +49,7 @@ void balance(const BernsteinShape &shape, std::vector<double> &values) noexcept 
     }
 }
 
-// In the directions of the shape; `reach` becomes the largest length.
+// The coefficients with respect to the axes of the shape; `reach` becomes the largest length of one.
 std::vector<double> turned(const pieces::BezierPiece &piece, const Shape &shape, double &reach) {
     std::vector<double> values;
     for (int64_t i = 0; i < piece.coefficients(); ++i) {

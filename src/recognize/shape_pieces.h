@@ -9,8 +9,8 @@
 
 namespace nrb::recognize {
 
-// Of dimension 3, about the origin of the shape. Cost: linear in the number of pieces. Precondition:
-// dimension 2 or 3.
+// The pieces in dimension 3, with the origin of the shape as their centre. Cost: linear in the number of
+// pieces. Precondition: dimension 2 or 3.
 std::vector<pieces::BezierPiece> shape_pieces(const Spline &spline, const Shape &shape);
 
 inline Vector3 point_of(const pieces::BezierPiece &piece, int64_t i) noexcept {
@@ -18,7 +18,7 @@ inline Vector3 point_of(const pieces::BezierPiece &piece, int64_t i) noexcept {
     return {x[0], x[1], x[2]};
 }
 
-// The axis along which the control points spread most; -1 if none has a degree.
+// The axis along which the control points spread most; -1 if all degrees are 0.
 int widest_axis(const pieces::BezierPiece &piece) noexcept;
 
 } // namespace nrb::recognize

@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<Vector3>;
 
-// Twice the area that the points sweep about the origin of the shape and its axis.
+// Twice the area that the polyline of the points sweeps about the origin, seen along the axis.
 double swept(const Shape &shape, const Points &points) noexcept {
     double sum = 0;
     for (size_t i = 0; i + 1 < points.size(); ++i) {
@@ -25,8 +25,8 @@ void turn_over(Shape &shape) noexcept {
     shape.y = -1 * shape.y;
 }
 
-// The direction of x is that of the start, or if that is on the axis of the first point that is well away
-// from it.
+// Turns x towards the start of the spline or, if that is on the axis, towards the first point that is well
+// away from the axis.
 void point_x_at_start(Shape &shape, const Points &points) noexcept {
     const auto from_axis = [&shape](const Vector3 &p) {
         const Vector3 q = shape.local(p);
@@ -46,7 +46,7 @@ void point_x_at_start(Shape &shape, const Points &points) noexcept {
     }
 }
 
-// The origin moves along the axis to where a point of g is.
+// Moves the origin along the axis to the height of a point.
 void move_along_axis(Shape &shape, const Vector3 &p) noexcept {
     shape.origin = shape.origin + dot(p - shape.origin, shape.z) * shape.z;
 }

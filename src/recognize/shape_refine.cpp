@@ -12,7 +12,7 @@ namespace {
 
 constexpr double quarter_turn = 1.5707963267948966;
 
-// The motions of a shape along and about the axes of its frame, and its sizes.
+// The degrees of freedom: motions along and about the axes of the shape's frame, and its sizes.
 enum Freedom { move_x, move_y, move_z, turn_x, turn_y, turn_z, first_size, second_size };
 
 std::vector<Freedom> freedoms(int32_t kind) {
@@ -103,7 +103,7 @@ double sum_of_squares(const std::vector<double> &values) noexcept {
     return std::isfinite(sum) ? sum : infinity;
 }
 
-// A step for differences: small beside the shape and what it is fitted to.
+// The step for difference quotients: small compared to the shape and to the points that it is fitted to.
 double trial_step(const Shape &shape, Freedom freedom, double size, double reach) noexcept {
     const bool angle = freedom >= turn_x && freedom <= turn_z;
     const bool opening = freedom == first_size && shape.kind == shape_cone;
@@ -114,7 +114,7 @@ double trial_step(const Shape &shape, Freedom freedom, double size, double reach
     return 1e-6 * (angle || opening ? least / reach : least);
 }
 
-// The step of least squares; columns are of the length 1, so that none is lost among larger ones.
+// The least-squares step. Columns are scaled to length 1, so that no column is lost among larger ones.
 std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &free,
                                 std::span<const Vector3> points, const std::vector<double> &values) {
     double size = 0, reach = 0;
@@ -147,7 +147,7 @@ std::vector<double> newton_step(const Shape &shape, const std::vector<Freedom> &
     return steps;
 }
 
-// At most 160, in even steps.
+// At most 160 of the points, evenly spaced in their order.
 std::vector<Vector3> some_of(std::span<const Vector3> points) {
     const size_t step = (points.size() + 159) / 160;
     std::vector<Vector3> some;

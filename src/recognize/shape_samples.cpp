@@ -21,7 +21,8 @@ ConstRecords list(const Params &params) noexcept {
     return {params.data(), std::ssize(params), 1, 1, 1};
 }
 
-// Values and derivatives to an order over the grid of parameters, those of a curve alone in the first list.
+// Values and derivatives up to an order on the grid of parameters; for a curve, at the parameters of the
+// first list.
 std::vector<double> values_at(const Spline &spline, int order, const Params &u, const Params &v) {
     const bool curve = spline.axes() == 1;
     const int64_t width = int64_t{spline.dim()} * (order == 0 ? 1 : curve ? 2 : 3);
@@ -46,8 +47,8 @@ Params evenly(Interval domain, int count) {
     return params;
 }
 
-// The breaks of an axis, `most` of them at most, and where there are few also inner parameters of their
-// spans, since the chord over a whole span says nothing where it is closed.
+// At most `most` breaks of an axis. If there are few breaks, parameters inside their spans are added, since
+// the chord of a whole span is meaningless if the span is closed.
 Params some_breaks(const KnotVector &axis, size_t most) {
     const Params all = refine::breaks_of(axis);
     Params some;
@@ -66,7 +67,7 @@ Params some_breaks(const KnotVector &axis, size_t most) {
     return some;
 }
 
-// The longest chord from each parameter of an axis to the next one, over a few places of the other axis.
+// The longest chord from each parameter of an axis to the next, over a few parameters of the other axis.
 std::vector<double> chords(const Spline &spline, int axis, const Params &params) {
     const bool curve = spline.axes() == 1;
     const Params others = curve ? Params{0} : evenly(spline.axis(1 - axis).domain(), 5);
@@ -85,7 +86,8 @@ std::vector<double> chords(const Spline &spline, int axis, const Params &params)
     return lengths;
 }
 
-// About `wanted` parameters at even distances: intervals are halved until none is much longer than its share.
+// About `wanted` parameters at even distances: intervals are halved until no chord is much longer than its
+// share.
 Params spread(const Spline &spline, int axis, size_t wanted) {
     Params params = some_breaks(spline.axis(axis), wanted);
     for (int round = 0; round < 40 && params.size() < 2 * wanted; ++round) {
@@ -127,12 +129,13 @@ void centre(ShapeSamples &samples) {
     }
 }
 
-// How far the parameter with an index moves to its neighbours.
+// The difference of the parameters next to the one with an index.
 double spacing(const Params &params, size_t i) noexcept {
     return params[std::min(i + 1, params.size() - 1)] - params[i == 0 ? 0 : i - 1];
 }
 
-// Points with normals; near a pole one of the derivatives is nothing but rounding, and no normal is taken.
+// Samples points, and normals where the surface is regular. Near a pole, one of the derivatives is no more
+// than rounding, and no normal is taken.
 void sample_surface(const Spline &spline, ShapeSamples &samples) {
     const Params u = spread(spline, 0, 12), v = spread(spline, 1, 12);
     const std::vector<double> values = values_at(spline, 1, u, v);

@@ -46,7 +46,8 @@ void BestPlaces::note(const CurvePlace &place) noexcept {
     }
 }
 
-// Points around the best one are as near to the margin over a distance of about sqrt(2 * margin * distance).
+// Around the best point, points at a distance of about sqrt(2 * margin * distance) from it are as good to the
+// margin. Only rivals that are well outside of this neighbourhood count as different points.
 bool BestPlaces::unique() const {
     const int count = std::min(rival_count_, most_rivals);
     return std::none_of(rivals_.begin(), rivals_.begin() + count, [this](const CurvePlace &rival) {

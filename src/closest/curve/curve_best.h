@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The best place of a search and its rivals.
+// The best place that a search has found so far, and its rivals: other places that are as good to the margin.
 #pragma once
 
 #include "closest/curve/curve_tree.h"
@@ -9,29 +9,30 @@
 
 namespace nrb::closest {
 
-// A place on a leaf, and the square of its distance in the units of the tree.
+// A place on a leaf, and the square of its distance from the query point in the units of the tree.
 struct CurvePlace {
     int64_t leaf = -1;
-    double s = 0; // of the leaf's interval
+    double s = 0; // relative to the leaf's interval, in [0, 1]
     double square = 0;
 };
 
 class BestPlaces {
 public:
-    // sign: 1 for the nearest place, -1 for the farthest one. margin: by how much others may be better.
+    // sign: 1 for the nearest place, -1 for the farthest one. margin: other places may be better by this
+    // much.
     BestPlaces(const CurveTree &tree, double sign, double margin) noexcept
         : tree_(tree), sign_(sign), margin_(margin) {}
 
     [[nodiscard]] bool found() const noexcept { return best_.leaf >= 0; }
     [[nodiscard]] const CurvePlace &best() const noexcept { return best_; }
-    // The distance with the sign; infinite if there is none yet.
+    // The distance times the sign; infinite if no place has been found.
     [[nodiscard]] double key() const noexcept { return key_; }
-    // The square of the distance below which (for the farthest place: above which) the proof must show that
-    // no point lies.
+    // A threshold for squared distances: the proof has to show that no point lies below it (for the farthest
+    // place: above it).
     [[nodiscard]] double goal() const noexcept { return goal_; }
 
     void note(const CurvePlace &place) noexcept;
-    // Whether no rival is both as good as the best place, to the margin, and a different point.
+    // False if a rival is as good as the best place, to the margin, and is a different point.
     [[nodiscard]] bool unique() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The leaves of a curve tree that may hold the nearest point. Included once for every instruction set: see
+// The leaves of a curve tree that may hold the nearest point. Included once per instruction set: see
 // base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_CLOSEST_CURVE_CURVE_CANDIDATES_INL_H_
@@ -18,14 +18,15 @@ namespace HWY_NAMESPACE {
 
 struct Candidate {
     double bound;   // no point of the leaf has a smaller key
-    double reached; // some point has at most this key
+    double reached; // some point of the leaf has at most this key
     int64_t leaf;
 };
 
-// The leaves are collected at once: those with a bound of at most limit(), the most promising first.
+// Collects all leaves whose bound is at most limit() in one pass over the tree, and sorts them by `reached`,
+// the most promising first.
 class CurveCandidates {
 public:
-    // x: the query point about the centre of the tree.
+    // x: the query point relative to the centre of the tree, in the tree's units.
     CurveCandidates(const CurveTree &tree, const Query &query, const double *x, double margin)
         : tree_(tree), query_(query), x_(x), margin_(margin), last_(tree.leaves() - 1) {
         if (query.range != nullptr) {
@@ -39,9 +40,9 @@ public:
 
     [[nodiscard]] const Candidate *begin() const noexcept { return data(); }
     [[nodiscard]] const Candidate *end() const noexcept { return data() + count_; }
-    // An upper bound of the key of the best place, plus the margin.
+    // An upper bound on the key of the best place, plus the margin.
     [[nodiscard]] double limit() const noexcept { return reached_ + margin_; }
-    // Whether all of a leaf is in the range.
+    // Whether the whole leaf is in the range.
     [[nodiscard]] bool whole(int64_t leaf) const noexcept {
         return query_.range == nullptr || (tree_.domain(leaf).lower >= query_.range->lower &&
                                            tree_.domain(leaf).upper <= query_.range->upper);
@@ -60,7 +61,7 @@ private:
     [[nodiscard]] Candidate *end() noexcept { return begin() + count_; }
     [[nodiscard]] const Candidate *data() const noexcept { return many_.empty() ? few_ : many_.data(); }
 
-    // Goes through the tree, nearest children first.
+    // Depth-first traversal of the tree, nearest children first.
     void collect() {
         Entry stack[(fan + 1) * 24];
         int height = 0;

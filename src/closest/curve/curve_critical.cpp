@@ -16,8 +16,8 @@ namespace nrb::closest {
 
 namespace {
 
-// A place between two signs of the derivative of the distance. At an end of the curve, or of one of its arcs
-// between jumps, `before` or `after` is missing.
+// A place where the derivative of the distance may change its sign, with the signs on both sides. At an end
+// of the curve, or of one of its arcs between jumps, `before` or `after` is missing.
 struct Event {
     static constexpr int missing = 2;
 
@@ -30,7 +30,7 @@ struct Event {
     std::vector<double> point = {};
 
     [[nodiscard]] bool decided() const noexcept { return before != 0 && after != 0 && !continuum; }
-    // A missing sign counts as it would be on the other side of an extremum.
+    // A missing sign is assumed to be opposite to the other one, as at an extremum.
     [[nodiscard]] int32_t kind() const noexcept {
         if (!decided()) {
             return critical_undecided;
@@ -40,7 +40,8 @@ struct Event {
     }
 };
 
-// The signs of a piece at its ends.
+// What join() needs of a piece: its end points, and the behaviour of the derivative of the distance at its
+// ends.
 struct PieceEnds {
     int first_sign = 0;
     int last_sign = 0;
@@ -63,7 +64,7 @@ std::vector<double> point_of(const pieces::HomogeneousPiece &piece, bool last) {
     return x;
 }
 
-// D, the piece relative to the query point.
+// D, the numerator of the piece relative to the query point.
 RoundedPolynomial offset_from(const pieces::HomogeneousPiece &piece, const double *x) {
     std::vector<RoundedPolynomial> shift;
     for (size_t c = 0; c < piece.centre.size(); ++c) {
@@ -74,7 +75,8 @@ RoundedPolynomial offset_from(const pieces::HomogeneousPiece &piece, const doubl
     return piece.points - side_by_side(shift) * piece.weight;
 }
 
-// No point of a piece with positive weights is nearer.
+// A lower bound on the distance of the query point from a piece: its distance from the box of the control
+// points; 0 unless all weights are positive.
 double least_distance(const pieces::HomogeneousPiece &piece, const double *x) noexcept {
     const auto dim = piece.centre.size();
     const auto count = static_cast<size_t>(piece.points.shape.coefficients());
@@ -93,8 +95,8 @@ double least_distance(const pieces::HomogeneousPiece &piece, const double *x) no
     });
 }
 
-constexpr int64_t work_of_an_event = 500; // evaluated alone
-constexpr int64_t work_of_a_piece = 2000; // products, and signs of them
+constexpr int64_t work_of_an_event = 500; // one evaluation of the curve
+constexpr int64_t work_of_a_piece = 2000; // products of polynomials and their signs
 
 class CurveCriticalSearch {
 public:
@@ -120,7 +122,7 @@ public:
     }
 
 private:
-    // Records the critical places inside the piece.
+    // Records the critical points in the interior of piece i.
     PieceEnds look_at(int64_t i) {
         PieceEnds ends;
         if (++examined_ > question_.budget || work_ended()) {
@@ -151,7 +153,7 @@ private:
         return ends;
     }
 
-    // Run k, if it is a zero; neighbouring runs with signs have one between them.
+    // Records run k if it is a zero; consecutive runs with signs have a zero between them.
     void note_between(const pieces::HomogeneousPiece &piece, const std::vector<SignRun> &runs, size_t k) {
         const SignRun &run = runs[k];
         const double middle = run.from + (run.to - run.from) / 2;
@@ -162,12 +164,12 @@ private:
         }
     }
 
-    // From one piece to the next.
+    // Records an event at t, where two consecutive pieces meet.
     void join(const PieceEnds &below, const PieceEnds &above, double t) {
         if (below.end.empty() || above.start.empty()) {
-            return; // beyond the budget
+            return; // one of them is beyond the budget
         }
-        if (!meet(below, above)) { // a jump
+        if (!meet(below, above)) { // the curve jumps
             end_arc(below, t);
             start_arc(above, t);
             return;
@@ -191,7 +193,7 @@ private:
         }
     }
 
-    // The ends of the part, or the seam of a closed curve.
+    // Records the ends of the part, or the seam of a closed curve.
     void close(const PieceEnds &last, const PieceEnds &first) {
         const Interval part = question_.part[0];
         const auto inside = std::ssize(events_);
@@ -212,7 +214,7 @@ private:
                64 * (curve_.axis(0).degree() + 1) * eps * size;
     }
 
-    // Points and distances.
+    // Computes the points and distances of the events.
     void place() {
         const int dim = curve_.dim();
         for (Event &event : events_) {
@@ -226,7 +228,7 @@ private:
         }
     }
 
-    // Events that are too near to each other become one.
+    // Merges events that are too near to each other and makes the result.
     CriticalSet take() {
         CriticalSet set;
         bool certain = !out_of_budget_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bounds of the distances from a point of eight leaves, or eight boxes, of a curve tree at once. Included
-// once for every instruction set: see base/simd.h.
+// Bounds on the distances of a point from eight leaves, or eight boxes, of a curve tree at once. Included
+// once per instruction set: see base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_
 #undef NURBS_CLOSEST_CURVE_CURVE_KEYS_INL_H_
@@ -22,8 +22,9 @@ namespace HWY_NAMESPACE {
 
 constexpr int fan = CurveTree::fan;
 
-// Keys are to be made as small as possible: a key is the distance, or its negative for the farthest point.
-// For eight children: no point has a smaller key than `bound`, and some point has at most `reached`.
+// A key is the distance, or the negated distance when the farthest point is sought, so that the search always
+// minimizes keys. For each of eight children: no point has a key below `bound`, and some point has a key of
+// at most `reached`.
 struct Keys {
     double bound[fan];
     double reached[fan];

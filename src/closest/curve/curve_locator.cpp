@@ -47,7 +47,7 @@ Foot CurveLocator::nearest(const Query &query) const {
     return foot;
 }
 
-// Goes from leaf to leaf as long as the distance falls.
+// Moves from leaf to neighbouring leaf as long as the distance decreases.
 Foot CurveLocator::local(const double *point, const double *guess) const {
     constexpr int most_leaves = 100;
     int64_t leaf = tree_.leaf_at(*guess);
@@ -89,12 +89,12 @@ CriticalSet CurveLocator::minima(const Query &query) const {
     exact.tolerance = 0;
     const Foot best = nearest(exact);
     const double reach = best.distance + query.tolerance + 2 * best.noise;
-    CriticalSet set = critical(query, -1, reach); // pieces between two of them may not have been examined
+    CriticalSet set = critical(query, -1, reach); // no merging: pieces between events may be left out
     std::erase_if(set.points, [reach](const CriticalPoint &c) {
         const bool minimum = c.kind == critical_minimum || c.kind == critical_undecided;
         return !minimum || c.foot.distance > reach;
     });
-    if (set.points.empty()) { // parameters too coarse to come close enough
+    if (set.points.empty()) { // the rounded parameters are too coarse to come within reach
         set.points.push_back({best, critical_minimum});
         set.status &= ~closest_certified;
     }

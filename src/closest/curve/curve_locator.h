@@ -23,7 +23,7 @@ private:
 
     [[nodiscard]] CriticalSet critical(const Query &query, double apart, double within) const;
 
-    const Spline &curve_; // which keeps the locator
+    const Spline &curve_; // owns the locator
     CurveTree tree_;
     Interval domain_;
     bool periodic_;

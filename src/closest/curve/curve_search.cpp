@@ -32,7 +32,7 @@ public:
         for (int c = 0; c < tree.dim(); ++c) {
             const double centre = tree.centre()[static_cast<size_t>(c)];
             x_[c] = std::ldexp(query.point[c] - centre, -tree.exponent());
-            if (!std::isfinite(x_[c])) { // of opposite signs, and both near overflow
+            if (!std::isfinite(x_[c])) { // overflow: opposite signs, both near the largest number
                 x_[c] = std::ldexp(query.point[c], -tree.exponent()) - std::ldexp(centre, -tree.exponent());
             }
         }
@@ -41,7 +41,7 @@ public:
     CurveSearchResult run() {
         const CurveCandidates candidates(tree_, query_, x_, margin_);
         for (const Candidate &candidate : candidates) {
-            // not a number if squares overflow: then the part is examined
+            // The bound is NaN if squares overflow; the negated comparison then has the leaf examined.
             if (!(candidate.bound > std::min(candidates.limit(), best_.key() + margin_))) {
                 examine(candidate.leaf, candidates.whole(candidate.leaf));
             }
@@ -63,11 +63,12 @@ public:
     }
 
 private:
-    static constexpr int stack_height = 64; // halvings of a leaf, after which nothing is left of it
+    static constexpr int stack_height = 64; // more halvings of a leaf than its parameter interval can take
     static constexpr double at_end = 0x1p-40;
     static constexpr int64_t looks_between_counts = 64, work_of_a_look = 16;
 
-    // A part [a, b] of a leaf, with a local minimum known to be at the lower end (1) or the upper end (2).
+    // A part [a, b] of a leaf. Bits of `known`: a local minimum is known to be at the lower end (1), at the
+    // upper end (2).
     struct LeafPart {
         double a;
         double b;
@@ -76,7 +77,7 @@ private:
 
     [[nodiscard]] double *segment(int i) noexcept { return segments_ + i * shape_.size(); }
 
-    // The leaf relative to the query point, or the part of it in the range.
+    // Loads the leaf relative to the query point, or the part of it that lies in the range.
     LeafPart load(int64_t leaf, bool whole) {
         const int lanes = shape_.lanes(), dim = tree_.dim();
         const double *HWY_RESTRICT records = tree_.records(leaf);
@@ -117,7 +118,7 @@ private:
                 count(looks_between_counts);
             }
             if (!untested && !in_range()) {
-                certified_ = false; // no polynomial decides anything then
+                certified_ = false; // then no polynomial can decide anything
                 return;
             }
             if (best_.found() && sign_ > 0 && best_.goal() == 0) {
@@ -135,10 +136,11 @@ private:
         work_ended_ = work_ended();
     }
 
-    // Whether there is a best place, near enough that no product with the square of its distance overflows.
+    // Whether there is a best place that is near enough for products with its squared distance not to
+    // overflow.
     [[nodiscard]] bool in_range() const noexcept { return best_.found() && best_.best().square < 0x1p900; }
 
-    // Decides about the uppermost part, or replaces it by two.
+    // Decides the part on top of the stack, or replaces it by two.
     int step(int height) {
         const LeafPart part = parts_[height - 1];
         const double *records = segment(height - 1);
@@ -164,7 +166,7 @@ private:
             const double found = minimum(records, shape_.degree() == 0 ? 0.0 : guess(records));
             if (found < at_end || found > 1 - at_end) {
                 part.known = found < at_end ? 1 : 2;
-                return height; // to be tested against what was found
+                return height; // to be tested against the minimum that was found
             }
             s = found;
             known = 3;
@@ -174,14 +176,14 @@ private:
         tools_.split(records, s, segment(height), records);
         const LeafPart whole = part;
         const double middle = whole.a + s * (whole.b - whole.a);
-        // the lower part lies above the upper one on the stack; the upper one replaced the whole
+        // The upper part replaces the whole on the stack; the lower part is pushed on top of it.
         parts_[height - 1] = {middle, whole.b, (known & 1) | (whole.known & 2)};
         parts_[height] = {whole.a, middle, (known & 2) | (whole.known & 1)};
         return height + 1;
     }
 
-    // The middle of the parameter that makes the weights at both ends equal: if they are far apart, the curve
-    // is crowded at one end of its own parameter.
+    // The image of the parameter 1/2 after the reparametrization that makes the weights at both ends equal.
+    // If these weights differ much, most of the curve is crowded into one end of its parameter interval.
     [[nodiscard]] double middle_of(const double *records) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
         const double ratio = records[lanes - 1] / records[(p + 1) * lanes - 1];
@@ -192,7 +194,7 @@ private:
         return std::clamp(root / (1 + root), 0x1p-10, 1 - 0x1p-10);
     }
 
-    // The nearest point of the chord, or the end that is farther.
+    // A starting place: the nearest point of the chord, or the farther one of the two ends.
     [[nodiscard]] double guess(const double *records) const noexcept {
         const int p = shape_.degree(), last = shape_.lanes() - 1;
         const double *start = records, *end = records + p * shape_.lanes();
@@ -205,11 +207,11 @@ private:
             along -= start[c] * chord;
             square += chord * chord;
         }
-        const double s = along * end[last] / square; // of the chord; by weights if rational
+        const double s = along * end[last] / square; // place on the chord; weighted if rational
         return s > 0 ? std::min(s, 1.0) : 0.0;
     }
 
-    // Newton's step. Where the key is not convex, a step downhill, which may go either way from a maximum.
+    // A Newton step. Where the key is not convex, a fixed step downhill; from a maximum it may go either way.
     static double next_place(double s, double g, double h) noexcept {
         if (h > 0) {
             return s - g / h;
@@ -218,7 +220,7 @@ private:
         return g == 0 && !(h < 0) ? s : s + (down ? -0.25 : 0.25);
     }
 
-    // Damped Newton from s to a local minimum of the key on the segment, which is recorded.
+    // Damped Newton iteration from s to a local minimum of the key on the segment, which is recorded.
     double minimum(const double *records, double s) {
         Slope slope = tools_.slope(records, s);
         for (int i = 0; i < 60; ++i) {
@@ -270,9 +272,9 @@ private:
     BestPlaces best_;
     bool certified_ = true, work_ended_ = work_ended();
     int64_t budget_used_ = 0;
-    int64_t steps_ = 0; // to minima, since work was counted
+    int64_t steps_ = 0; // evaluations made by minimum() since work was last counted
     int64_t leaf_ = 0;
-    int current_ = 0; // the part that is being divided
+    int current_ = 0; // index of the part that is being divided
     LeafPart parts_[stack_height + 1];
 };
 

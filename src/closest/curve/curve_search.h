@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Searches a tree of curve pieces for the point nearest to a given one.
+// A branch-and-bound search of a curve tree for the point nearest to, or farthest from, a given one.
 #pragma once
 
 #include "closest/curve/curve_best.h"
@@ -9,17 +9,17 @@ namespace nrb::closest {
 struct CurveSearchResult {
     CurvePlace place;
     bool certified = false;
-    bool unique = true; // no place elsewhere was seen that is as near
+    bool unique = true; // false: a different place that is as good was seen
     int64_t examined = 0;
 };
 
-// The uncertainty of a distance from a point in double precision: half of it is in the positions of the
-// leaves, half is for what is computed from them.
+// The uncertainty of a distance computed in double precision: half of the bound is for the positions of the
+// leaves, half for what is computed from them.
 double distance_noise(const CurveTree &tree, const double *point) noexcept;
 
 CurveSearchResult search(const CurveTree &tree, const Query &query);
 
-// The place of the local minimum that a descent from s on a leaf reaches.
+// The local minimum that a descent from place s of a leaf reaches within this leaf.
 CurvePlace descend(const CurveTree &tree, const double *point, int64_t leaf, double s);
 
 } // namespace nrb::closest

@@ -16,15 +16,16 @@ namespace nrb::closest {
 
 namespace {
 
-// How far a leaf may be from its chord, as a part of the chord, without another halving.
+// A leaf whose deviation from its chord is at most this part of the chord's length is not halved any further.
 constexpr double straight = 1.0 / 16;
 
-// The most halvings of a span. Leaves take ten times the memory of control points, so many spans stay whole.
+// The most halvings of a span. Leaves take ten times the memory of control points, so in curves of many spans
+// the spans stay whole.
 constexpr int most_halvings(int64_t spans) noexcept {
     return spans <= 1 << 12 ? 3 : spans <= 1 << 16 ? 1 : 0;
 }
 
-// Control points as bounds see them: those of a piece, divided by their weights.
+// The control points of a piece divided by their weights, with the bounds derived from them.
 class PieceView {
 public:
     PieceView(const double *records, int degree, int dim, int lanes) noexcept
@@ -43,8 +44,8 @@ public:
     [[nodiscard]] double chord() const noexcept {
         return norm_of(dim_, [this](int c) { return x(degree_, c) - x(0, c); });
     }
-    // The largest distance of a control point from the chord: no point of the piece has a larger one, if the
-    // weights are positive.
+    // The largest distance of a control point from the chord. By the convex hull property this bounds the
+    // distance of the piece from its chord if the weights are positive; infinite otherwise.
     [[nodiscard]] double deviation() const noexcept {
         if (!positive()) {
             return infinity;
@@ -74,11 +75,11 @@ private:
     int lanes_;
 };
 
-constexpr int64_t work_of_a_record = 32; // which is extracted, and halved a few times
+constexpr int64_t work_of_a_record = 32; // a record is extracted, and halved a few times
 
 } // namespace
 
-// Lower and upper ends of boxes, one after the other.
+// The boxes of a level: their lower ends and their upper ends, [count][dim] each.
 struct CurveTree::Boxes {
     std::vector<double> lower;
     std::vector<double> upper;
@@ -92,7 +93,7 @@ CurveTree::CurveTree(const Spline &curve)
     pieces::BernsteinNet::Breaks breaks{refine::breaks_of(curve.axis(0)), {}, {}};
     const int degrees[] = {degree_, 0, 0};
     const pieces::BernsteinNet net(curve, records, breaks, degrees);
-    // of the net, of halvings and of what a search computes
+    // rounding of the net, of the halvings and of what a search computes
     rounding_ = net.error() / std::numeric_limits<double>::epsilon() + 6 * degree_ + 2 * lanes_ + 20;
     const double extent = largest_magnitude(records.sizes);
     size_ = std::max(extent, norm(centre_.data(), dim_));
@@ -123,7 +124,7 @@ CurveTree::CurveTree(const Spline &curve)
     add_levels();
 }
 
-// The largest weight of the leaves over the smallest positive one.
+// The largest magnitude of a weight of the leaves over the smallest positive weight.
 double CurveTree::weight_ratio() const noexcept {
     double smallest = infinity, largest = 0;
     for (size_t i = static_cast<size_t>(lanes_) - 1; i < records_.size(); i += static_cast<size_t>(lanes_)) {
@@ -190,8 +191,8 @@ CurveTree::Boxes CurveTree::leaf_boxes() const {
 }
 
 void CurveTree::add_levels() {
-    // The boxes of eight consecutive children become the box of their parent. The places of a node that has
-    // fewer children hold zeros; a search counts the children and never reads them.
+    // The box of a parent encloses those of eight consecutive children. Unused places of a node that has
+    // fewer children hold zeros; a search counts the children and never reads these.
     const auto dim = static_cast<size_t>(dim_);
     Boxes boxes = leaf_boxes();
     do {

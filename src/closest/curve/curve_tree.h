@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bezier pieces of a curve, halved until they are nearly straight, and a tree of bounds over them.
+// A bounding volume hierarchy over a curve: Bezier pieces, halved until they are nearly straight, and a tree
+// of boxes.
 #pragma once
 
 #include "closest/foot.h"
@@ -8,11 +9,11 @@
 
 namespace nrb::closest {
 
-// A leaf is a piece over a part of one span. Its records are relative to the centre of the curve, in units of
-// 2^exponent: coordinates, zeros, and the weight as the last one of `lanes`, a multiple of 4. If all weights
-// are negative, their signs are changed, and those of the coordinates with them. Eight consecutive leaves are
-// a block, eight blocks a node of the first level, eight nodes a node of the next level. The order of the
-// curve keeps leaves together that are near each other.
+// A leaf is a Bezier piece over a span or a part of one. Its records are relative to the centre of the curve,
+// in units of 2^exponent: coordinates, zeros as padding, and the weight as the last of `lanes` numbers, a
+// multiple of 4. If all weights of a piece are negative, the signs of its weights and coordinates are
+// reversed. Eight consecutive leaves form a block, eight blocks a node of the first level, eight nodes a node
+// of the next level. Leaves follow the order of the curve, which keeps neighbours together.
 class CurveTree {
 public:
     static constexpr int fan = 8;
@@ -25,32 +26,33 @@ public:
     [[nodiscard]] int64_t leaves() const noexcept { return static_cast<int64_t>(domains_.size()); }
     [[nodiscard]] const std::vector<double> &centre() const noexcept { return centre_; }
     [[nodiscard]] int exponent() const noexcept { return exponent_; }
-    // The largest distance of a control point from the centre, or of the centre from the origin, in the units
-    // of the curve.
+    // The largest distance of a control point from the centre, or the distance of the centre from the origin,
+    // whichever is larger, in the units of the curve.
     [[nodiscard]] double size() const noexcept { return size_; }
-    // How far rounding may have moved a leaf, as a multiple of eps, for each unit of size.
+    // How far rounding may have moved a leaf, as a multiple of eps times size().
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
-    // Whether squares of all weights are in the range of double precision; if not, nothing can be proven.
+    // Whether the squares of all weights are in the range of double precision; if they are not, nothing can
+    // be proven.
     [[nodiscard]] bool sound() const noexcept { return sound_; }
 
     [[nodiscard]] const double *records(int64_t leaf) const noexcept {
         return records_.data() + leaf * (degree_ + 1) * lanes_;
     }
     [[nodiscard]] Interval domain(int64_t leaf) const noexcept { return domains_[static_cast<size_t>(leaf)]; }
-    // The leaf that contains a parameter of the domain; where two meet, the upper one.
+    // The leaf that contains a parameter of the domain; the upper one where two meet.
     [[nodiscard]] int64_t leaf_at(double t) const noexcept;
     // Whether the curve continues from a leaf to the next one without a jump; false if either does not exist.
     [[nodiscard]] bool joined(int64_t leaf) const noexcept;
 
-    // Data of block b: starts [dim][fan], chords [dim][fan], inverse squared lengths of the chords [fan] (0
-    // if there is no chord), and how far the piece may be from its chord [fan] (infinite unless weights are
-    // positive). If there are fewer leaves, the remaining chords are that of the last one.
+    // The data of block b: start points [dim][fan], chords [dim][fan], inverse squared lengths of the chords
+    // [fan] (0 if a chord vanishes), and how far each piece may be from its chord [fan] (infinite unless its
+    // weights are positive). If a block has fewer leaves, its remaining entries repeat the last leaf.
     [[nodiscard]] const double *block(int64_t b) const noexcept { return blocks_.data() + b * block_size(); }
     [[nodiscard]] int64_t block_size() const noexcept { return int64_t{2} * fan * (dim_ + 1); }
     [[nodiscard]] int64_t block_count() const noexcept { return (leaves() + fan - 1) / fan; }
 
-    // Levels above the blocks, the lowest first; the last one has one node. Of a node: lower ends [dim][fan]
-    // and upper ends [dim][fan] of the boxes of its children.
+    // The levels above the blocks, the lowest first; the last one has a single node. A node stores the lower
+    // ends [dim][fan] and the upper ends [dim][fan] of the boxes of its children.
     [[nodiscard]] int levels() const noexcept { return static_cast<int>(levels_.size()); }
     [[nodiscard]] const double *node(int level, int64_t i) const noexcept {
         return levels_[static_cast<size_t>(level)].data() + i * node_size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A piece of a curve relative to a point, with the operations that searches for closest points need. Included
-// once for every instruction set: see base/simd.h.
+// A Bezier piece of a curve relative to a query point, with the operations of a closest-point search.
+// Included once per instruction set: see base/simd.h.
 #if defined(NURBS_CLOSEST_CURVE_SEGMENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
 #undef NURBS_CLOSEST_CURVE_SEGMENT_INL_H_
@@ -20,7 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::closest {
 namespace HWY_NAMESPACE {
 
-// Degree and lanes, as constants where they are known (kDegree >= 0, kLanes > 0).
+// The degree and the number of lanes, as compile-time constants where they are known (kDegree >= 0,
+// kLanes > 0).
 template <int kDegree, int kLanes>
 struct SegmentShape {
     int some_degree;
@@ -31,9 +32,9 @@ struct SegmentShape {
     [[nodiscard]] HWY_INLINE int size() const noexcept { return (degree() + 1) * lanes(); }
 };
 
-// The values of a segment D, w, the homogeneous piece with the query point as its origin, at a place: the
-// square of the distance f = |D|^2 / w^2, and g = (D D') w - (D D) w', h = g', with f' = 2 g / w^3. Weights
-// are positive.
+// Values at a place of a segment (D, w), the homogeneous piece with the query point as its origin and
+// positive weights: `square` is the squared distance f = |D|^2 / w^2, `first` is g = (D . D') w - (D . D) w',
+// so that f' = 2 g / w^3, and `second` is g'.
 struct Slope {
     double square;
     double first;
@@ -46,7 +47,8 @@ public:
     // work: size() doubles.
     SegmentTools(const Shape &shape, double *work) noexcept : shape_(shape), work_(work) {}
 
-    // de Casteljau's triangle, whose last three levels give value, first and second derivative.
+    // de Casteljau's algorithm; the last three levels of its triangle give the value and the first and second
+    // derivatives.
     [[nodiscard]] HWY_INLINE Slope slope(const double *HWY_RESTRICT segment, double s) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
         double *HWY_RESTRICT b = work_;
@@ -77,7 +79,7 @@ public:
         return {dd / (w * w), dd1 * w - dd * w1, (d1d1 + dd2) * w - dd1 * w1 - dd * w2};
     }
 
-    // The square of the distance of control point i, an end.
+    // The squared distance of control point i, which is an end of the segment.
     [[nodiscard]] HWY_INLINE double end_square(const double *segment, int i) const noexcept {
         const double *record = segment + i * shape_.lanes();
         const double w = record[shape_.lanes() - 1];
@@ -88,21 +90,21 @@ public:
         return sum / (w * w);
     }
 
-    // The lower part up to s, and the upper one; either may be the segment itself.
+    // Splits at s into the lower and the upper part; either may be stored in the segment itself.
     HWY_INLINE void split(const double *segment, double s, double *lower, double *upper) const noexcept {
         std::copy(segment, segment + (segment == upper ? 0 : shape_.size()), upper);
         subdivide(shape_.degree(), shape_.lanes(), s, upper, lower);
     }
 
-    // Whether sign (|D|^2 - R^2 w^2) >= 0 certainly holds on the whole segment: all its Bernstein
-    // coefficients are >= 0, after the rounding of their computation. binomials[i] = binomial(p, i),
-    // inverses[k] = 1 / binomial(2 p, k). Each coefficient is a mean of products of at most p + 1 pairs, so
-    // that with dim + 1 terms each, 2 (p + lanes + 8) units of rounding of the mean of their magnitudes bound
-    // all errors.
+    // Whether sign (|D|^2 - R^2 w^2) >= 0 is certain on the whole segment, with R^2 = square. It is if all
+    // Bernstein coefficients of this polynomial are >= 0 by at least their rounding errors.
+    // binomials[i] = binomial(p, i). Each coefficient is, up to a positive factor, a sum of at most p + 1
+    // products of control points, with at most `lanes` terms each; (p + lanes + 8) eps times the sum of the
+    // magnitudes bounds the error.
     [[nodiscard]] HWY_INLINE bool beyond(const double *HWY_RESTRICT segment, double square, double sign,
                                          const double *binomials, double *HWY_RESTRICT norms) const noexcept {
         const int p = shape_.degree(), lanes = shape_.lanes();
-        double *HWY_RESTRICT scaled = work_; // binomial times record, the weight times -R^2
+        double *HWY_RESTRICT scaled = work_; // binomial times record, with the weight times -R^2
         for (int i = 0; i <= p; ++i) {
             const double *record = segment + i * lanes;
             const double binomial = binomials[i];

@@ -22,12 +22,12 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr int64_t budget_of_a_match = 500; // of which nothing is taken from the caller's budget
+constexpr int64_t budget_of_a_match = 500; // per point; not taken from the caller's budget
 constexpr int64_t work_of_a_look = 400;    // at a piece: its memory
-constexpr double same_point = 0x1p-40;     // of points that may be the same, before anything is proven
+constexpr double same_point = 0x1p-40;     // of points that may coincide, before anything is proven
 
-// Breaks of `other` where pieces of splines that are parametrized alike match, or as a map says that they
-// are.
+// Breaks for the axes of `spline` at which its pieces are to end so that they match pieces of `other`: those
+// of the map or, without one, those of the straight map if both have the same number of axes.
 pieces::BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &other,
                                           const ParameterMap *map) {
     pieces::BernsteinNet::Breaks breaks;
@@ -40,13 +40,13 @@ pieces::BernsteinNet::Breaks alike_breaks(const Spline &spline, const Spline &ot
 
 using Others = std::vector<const pieces::BezierPiece *>;
 
-// The pieces of a spline, made when they are first asked for.
+// The pieces of a spline, each made when it is first needed.
 class KnownPieces {
 public:
     KnownPieces(const Spline &spline, const pieces::Frame &frame)
         : pieces_(pieces::piece_tree_of(spline), frame), moved_(pieces_.moved()) {}
 
-    // Those that contain a place: two along an axis at a knot, none outside.
+    // The pieces that contain a place: two along an axis if it is at a knot, none if it is outside.
     [[nodiscard]] Others containing(const pieces::LocalParam &place) {
         Others found;
         for (const int64_t i : pieces_.tree().grid().containing(place)) {
@@ -54,8 +54,8 @@ public:
         }
         return found;
     }
-    // The most that rounding does to one whose weights are positive, of those made so far where no bound of all
-    // is known.
+    // The most that rounding moves a piece with positive weights; if no bound for all pieces is known, the
+    // maximum over those made so far.
     [[nodiscard]] double moved() const noexcept { return moved_; }
 
 private:
@@ -69,13 +69,13 @@ private:
     }
 
     pieces::FramedPieces pieces_;
-    std::unordered_map<int64_t, pieces::BezierPiece> made_; // whose places in memory do not change
+    std::unordered_map<int64_t, pieces::BezierPiece> made_; // whose elements keep their addresses
     double moved_;
 };
 
 struct FarPiece {
     pieces::BezierPiece piece;
-    bool bounded; // by a nearest point
+    bool bounded; // has been bounded by a nearest point
 };
 using Entry = pieces::BestFirst<FarPiece>::Entry;
 
@@ -83,7 +83,7 @@ using Entry = pieces::BestFirst<FarPiece>::Entry;
 struct NearPoint {
     Foot foot;
     std::vector<double> point;
-    double at_least = 0; // of its distance
+    double at_least = 0; // lower bound on its distance
 };
 
 class FarthestSearch {
@@ -114,7 +114,7 @@ public:
 
     [[nodiscard]] double at_least() const noexcept { return std::max(lower_, 0.0); }
     [[nodiscard]] double at_most() const noexcept { return std::max(queue_.bound(), at_least()); }
-    // Of the pieces looked at, and of nearest points.
+    // An allowance for the rounding of the pieces examined and of the nearest points.
     [[nodiscard]] double noise() const noexcept { return 8 * (moved_ + known_.moved()) + 256 * eps; }
     [[nodiscard]] const pieces::LocalParam &best() const noexcept { return best_; }
 
@@ -132,7 +132,7 @@ private:
         return in_from_ != nullptr &&
                in_from_->side(piece.parameter({0, 0, 0}), piece.parameter({1, 1, 1})) < 0;
     }
-    // Whether all that the corners span on a piece counts.
+    // Whether the box that the corners span on piece `other` lies inside in_to_, so that all of it counts.
     [[nodiscard]] bool holds(const pieces::BezierPiece &other,
                              const std::vector<pieces::LocalParam> &corners) const {
         if (in_to_ == nullptr) {
@@ -148,7 +148,7 @@ private:
         return !corners.empty() && in_to_->side(other.parameter(lower), other.parameter(upper)) > 0;
     }
 
-    // The foot of a point of the frame.
+    // The nearest point of `to` for a point of the frame.
     NearPoint nearest(const double *x) {
         for (size_t c = 0; c < query_.size(); ++c) {
             query_[c] = frame_.original(c, x[c]);
@@ -189,7 +189,7 @@ private:
         const pieces::LocalParam middle{0.5, 0.5, 0.5};
         jet_.evaluate(piece, middle, false);
         const NearPoint near = nearest(jet_.value());
-        const Others others = known_.containing(near.foot.params); // whose rounding counts for the point
+        const Others others = known_.containing(near.foot.params); // may raise known_.moved(), read below
         const double noise = frame_.scaled(near.foot.noise) + 8 * (dim_ + 2) * eps;
         const double lower = near.at_least - 8 * (dim_ + 2) * eps - piece.moved();
         if (lower > lower_ && (in_from_ == nullptr || in_from_->side(piece.parameter(middle)) >= 0)) {
@@ -203,7 +203,7 @@ private:
         push(upper, std::move(top.item.piece), true);
     }
 
-    // By the map, with any piece of the other spline that the middle is mapped to.
+    // An upper bound by the map, over all pieces of the other spline that contain the image of the middle.
     double mapped(const pieces::BezierPiece &piece) {
         double best = infinity;
         const pieces::LocalParam middle = (*map_)(piece.parameter({0.5, 0.5, 0.5}));
@@ -219,7 +219,8 @@ private:
         return best;
     }
 
-    // The distance of a point of the hull from one point is at most that of a control point.
+    // The largest distance of a control point from a point, which bounds that of the whole piece by the
+    // convex hull property.
     [[nodiscard]] double from_point(const pieces::BezierPiece &piece,
                                     const std::vector<double> &point) const noexcept {
         double most = 0;
@@ -230,7 +231,7 @@ private:
         return most * (1 + (dim_ + 4) * eps);
     }
 
-    // Both pieces beside a knot may match.
+    // An upper bound by matching; at a knot, the pieces on either side may match.
     double matched(const pieces::BezierPiece &piece, const pieces::LocalParam &foot, const Others &others) {
         double best = infinity;
         for (const pieces::BezierPiece *other : others) {
@@ -256,13 +257,13 @@ private:
     Region *in_to_;
     const pieces::Frame &frame_;
     const Locator &locator_;
-    KnownPieces known_; // of the other spline
+    KnownPieces known_; // of `to`
     int dim_;
     double tolerance_;
     int64_t budget_;
     std::vector<double> query_;
     std::optional<ParameterMap> map_;
-    double moved_ = 0; // what rounding does to pieces
+    double moved_ = 0; // most that rounding moves the pieces of `from`
     double lower_ = -infinity;
     pieces::LocalParam best_{};
     pieces::BestFirst<FarPiece> queue_;
@@ -270,7 +271,7 @@ private:
     MatchedBound bound_;
 };
 
-// No point is away from the spline itself.
+// The result for identical splines: the distance is 0 everywhere.
 FarthestPoint nowhere_else(const Spline &from) noexcept {
     FarthestPoint result;
     for (int k = 0; k < from.axes(); ++k) {

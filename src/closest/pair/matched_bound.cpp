@@ -12,7 +12,7 @@ namespace nrb::closest {
 
 namespace {
 
-// Values that are exact as they are.
+// A polynomial whose coefficients are exact.
 RoundedPolynomial exact_polynomial(const BernsteinShape &shape, std::vector<double> values) {
     RoundedPolynomial p;
     p.shape = shape;
@@ -32,12 +32,12 @@ RoundedPolynomial part_of(const pieces::BezierPiece &piece, int first, int count
     return exact_polynomial(shape, std::move(values));
 }
 
-// The parameters of y over x by the places of the corners, and 1 less them.
+// The multilinear map from x to y, whose values at the corners of x are the given places.
 struct Map {
-    std::vector<RoundedPolynomial> low, high; // for each axis of y: 1 - u, u
+    std::vector<RoundedPolynomial> low, high; // for each axis of y: 1 - u, and u
 };
 
-// Values at the corners of a cube, with only one of two along axes along which nothing changes.
+// Lowers the degree from 1 to 0 along the axes along which the corner values do not change.
 void drop_constant_axes(BernsteinShape &shape, std::vector<double> &values) {
     size_t inner = 1;
     for (size_t k = max_axes; k-- > 0;) {
@@ -86,7 +86,7 @@ Map map_of(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
     return map;
 }
 
-// de Casteljau's algorithm with polynomials as parameters, from the last axis to the first.
+// de Casteljau's algorithm for y with polynomials as parameters, from the last axis to the first.
 RoundedPolynomial composition(const pieces::BezierPiece &y, const Map &map) {
     std::vector<RoundedPolynomial> net;
     BernsteinShape point;
@@ -138,10 +138,11 @@ double largest_quotient_of(const RoundedPolynomial &numerator, const RoundedPoly
     return largest * (1 + 1e-14 * static_cast<double>(width + 4));
 }
 
-// Multiply-adds that a bound may take, some tenths of a second: the work that is left is looked at between bounds only.
+// The most multiply-adds of one bound, some tenths of a second: the limit of work is tested only between
+// bounds.
 constexpr int64_t most_work = 1000000000;
 
-// Of y by a map that is linear along each axis of x.
+// The shape of the composition of y with a map that is linear along each axis of x.
 BernsteinShape shape_of_image(const pieces::BezierPiece &x, const pieces::BezierPiece &y) {
     int degree = 0;
     for (int k = 0; k < y.axes(); ++k) {
@@ -154,12 +155,14 @@ BernsteinShape shape_of_image(const pieces::BezierPiece &x, const pieces::Bezier
     return shape;
 }
 
-// Whether x and y have denominators without zeros, and the difference of x and an image is made within the limit.
+// Whether the denominators of x and y have no zeros, and the difference of x and the image takes no more than
+// the limit of work.
 bool are_comparable(const pieces::BezierPiece &x, const pieces::BezierPiece &y) {
     return x.positive() && y.positive() && shape_of_image(x, y).values() * x.coefficients() <= most_work;
 }
 
-// The same by the squares, whose coefficients do not turn with the vectors: equal for concentric arcs.
+// A bound on the same quotient from the Bernstein coefficients of its square, which do not change when the
+// vectors rotate: they are all equal for concentric arcs.
 double largest_norm_of(const RoundedPolynomial &numerator, const RoundedPolynomial &denominator) {
     if (numerator.shape.values() * numerator.shape.coefficients() > most_work) {
         return infinity;

@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: MIT
-// How far a piece is from another one, at most, if its points are matched with points of the other one.
+// Upper bounds on the one-sided Hausdorff distance from one Bezier piece to another, by matching their
+// points.
 #pragma once
 
 #include "closest/pair/pair_descent.h"
 
 namespace nrb::closest {
 
-// The corners of piece x are matched with the points of piece y that are nearest to them, what is between
-// them with what the multilinear map between the parameters makes of it: the largest distance of matched
-// points, by the quotients of the Bernstein coefficients of X v - Y w and v w (the composition of Y with the
-// map has in every variable the sum of the degrees of y). Of second order in the size of x, even where both
-// touch. Rounding and moved() of both are included; infinite where weights are not positive.
+// Each corner of piece x is matched with the nearest point of piece y, and every other point of x with the
+// point of y at the multilinear interpolation of the corners' parameters. The bound is the largest distance
+// of matched points. With x = X / w and the composition of y with the map = Y / v, the distance is
+// |X v - Y w| / (v w), and its bound follows from the Bernstein coefficients of numerator and denominator; in
+// every variable, the composition has the sum of the degrees of y. The bound exceeds the distance by a
+// quantity of second order in the size of x, even where the pieces touch. It includes rounding and moved() of
+// both pieces, and is infinite unless all weights are positive.
 class MatchedBound {
 public:
-    // Places on y near those of the corners of x, from a guess on; none if the two cannot be compared.
+    // The places on y nearest to the corners of x, by descents that start at `guess`; empty if the pieces
+    // cannot be compared.
     std::vector<pieces::LocalParam> corners(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                                             const pieces::LocalParam &guess);
-    // By places on y of the corners of x, in the order of corners_of(x); `enough`: no less is wanted.
+    // The bound for given places on y of the corners of x, in the order of corners_of(x). `enough`: a bound
+    // this small need not be improved.
     static double upper(const pieces::BezierPiece &x, const pieces::BezierPiece &y,
                         const std::vector<pieces::LocalParam> &corners, double enough);
-    // The last axis is the fastest; axes without a degree have one end.
+    // The corners of x, last axis fastest. An axis of degree 0 has only one end.
     static std::vector<pieces::LocalParam> corners_of(const pieces::BezierPiece &x);
 
 private:

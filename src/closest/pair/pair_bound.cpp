@@ -12,7 +12,7 @@ namespace nrb::closest {
 
 namespace {
 
-// Coordinates are at most about 1.
+// A bound on the rounding errors of products of vectors whose coordinates are at most about 1.
 double rounding(int dim) noexcept {
     return 8 * (dim + 4) * eps;
 }
@@ -28,7 +28,7 @@ double box_distance(const double *a, const double *b, int dim) noexcept {
     return std::sqrt(square) * (1 - (dim + 4) * eps);
 }
 
-// |n| = 1 to rounding.
+// The gap along normal_, for which |n| = 1 to rounding.
 double PairBound::plane(const pieces::BezierPiece &a, const pieces::BezierPiece &b) const noexcept {
     double most = -infinity, least = infinity;
     for (int64_t i = 0; i < a.coefficients(); ++i) {
@@ -50,7 +50,7 @@ void PairBound::project(double *v) const noexcept {
     }
 }
 
-// Places 0, 1/2, 1 on every axis.
+// Samples the piece at the parameters 0, 1/2 and 1 of every axis.
 void PairBound::sample(const pieces::BezierPiece &piece, std::vector<double> &out) {
     out.clear();
     std::array<int, max_axes> at{};
@@ -65,9 +65,10 @@ void PairBound::sample(const pieces::BezierPiece &piece, std::vector<double> &ou
     }
 }
 
-// Extreme quotients of the coefficients of |P (A - c w)|^2 and w^2, whose binomials cancel. Each coefficient
-// is a sum of at most coefficients() terms for each coordinate; relative to the weights the magnitudes are at
-// most the square of the largest distance of a control point.
+// The extreme quotients of the Bernstein coefficients of |P (A - c w)|^2 and w^2, where P is the projection
+// and c the centre; the binomials cancel. Each coefficient is a sum of at most coefficients() terms per
+// coordinate, whose magnitudes, relative to the weights, are at most the square of the largest distance of a
+// control point from c.
 PairBound::Extremes PairBound::distances(const pieces::BezierPiece &piece, const double *centre) {
     const int dim = piece.dim();
     const int64_t count = piece.coefficients();
@@ -110,7 +111,8 @@ PairBound::Extremes PairBound::distances(const pieces::BezierPiece &piece, const
             std::sqrt(found.most + error) * (1 + 2 * eps)};
 }
 
-// The centre is at `radius` from the foot of the inner piece, against the normal times `sign`.
+// The lower bound for the sphere whose centre is at distance `radius` from the foot of the inner piece, in
+// the direction of the normal times -sign.
 double PairBound::sphere(const pieces::BezierPiece &inside, const pieces::BezierPiece &outside,
                          const double *foot, double sign, double radius) {
     const int dim = inside.dim();
@@ -122,8 +124,10 @@ double PairBound::sphere(const pieces::BezierPiece &inside, const pieces::Bezier
     return distances(outside, centre_.data()).least - most - rounding(dim);
 }
 
-// Radii R about the foot p of one piece: its samples x lie within R of the centre if 2 R n (p - x) >= |x -
-// p|^2, those of the other piece, y, at least R + d away if 2 (R + d) n (q - y) <= |y - q|^2.
+// The ranges of radii R for spheres about c = p - R n, where p is the foot of the inner piece, q that of the
+// outer one, d their distance, and n the unit vector from p to q. A sample x of the inner piece lies within R
+// of c if 2 R n . (p - x) >= |x - p|^2; a sample y of the outer piece is at least R + d away from c if
+// 2 (R + d) n . (q - y) <= |y - q|^2.
 double PairBound::spheres(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
                           double enough) {
     const int dim = a.dim();
@@ -165,7 +169,8 @@ double PairBound::spheres(const pieces::BezierPiece &a, const pieces::BezierPiec
     return best;
 }
 
-// The sum of the legs along an axis, across the normal.
+// Sets direction_, along which cylinders project: the sum of the legs of the control net along an axis, made
+// orthogonal to the normal.
 void PairBound::leg_direction(const pieces::BezierPiece &piece, int axis) {
     const int dim = piece.dim();
     int64_t step = 1;

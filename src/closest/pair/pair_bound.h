@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Lower bounds of the distance of two Bezier pieces.
+// Lower bounds on the distance between two Bezier pieces, by separating surfaces.
 #pragma once
 
 #include "closest/pair/pair_descent.h"
 
 namespace nrb::closest {
 
-// Of boxes, [2][dim] each.
+// The distance between two boxes, [2][dim] each; not above the exact value.
 double box_distance(const double *a, const double *b, int dim) noexcept;
 
-// Surfaces that separate two pieces: planes and spheres, and in more dimensions the cylinders that project to
-// spheres along a direction. With a point p of a and q of b, and n from p to q,
-// - no point of the hulls is nearer than their extents along n are apart;
-// - if a lies within R of a point c and b at least r away from it, they are r - R apart; c is on the line
-// through p and q so that to the samples of both it fits the second order. R and r are the extreme quotients
-// of the Bernstein coefficients of |A - c w|^2 and w^2, which for arcs about c are all equal. So parallel
-// lines and planes, concentric arcs and spheres, and coaxial cylinders take no halving.
+// The separating surfaces are planes and spheres and, in more than two dimensions, cylinders, whose
+// projections along a direction are spheres. Let p on a and q on b be the points of a local minimum of the
+// distance, and n the unit vector from p to q.
+// - Planes: no two points of the convex hulls are nearer than the gap between the extents of the hulls along
+// n.
+// - Spheres: if a lies within distance R of a point c, and b at distance r or more from c, then a and b are
+// at least r - R apart. The centre c is chosen on the line through p and q such that samples of both pieces
+// agree with it to the second order. R and r follow from the largest and smallest quotients of the Bernstein
+// coefficients of |A - c w|^2 and w^2, which are all equal if the piece is an arc about c.
+// Parallel lines and planes, concentric arcs and spheres, and coaxial cylinders therefore need no halving.
 class PairBound {
 public:
-    // Not above the distance of any two points, moved() of both included; `at` a local minimum. `enough`: no
-    // more is wanted. Precondition: both are positive().
+    // A lower bound on the distance between any two points of the pieces, with moved() of both included.
+    // `at`: a local minimum. `enough`: a bound this large need not be improved. Precondition: both pieces are
+    // positive().
     double lower(const pieces::BezierPiece &a, const pieces::BezierPiece &b, const PairPlace &at,
                  double enough);
 

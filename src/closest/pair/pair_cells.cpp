@@ -36,7 +36,7 @@ void PairCells::set_piece(PairCell &cell, pieces::BezierPiece made) const {
     }
 }
 
-// A node is the same set of pieces as its only child.
+// A node with an only child represents the same pieces as the child.
 void PairCells::skip_single_children(PairCell &cell) const {
     while (!of_pieces(cell.level) && pieces_.tree().family(cell.level, cell.node).count == 1) {
         cell.node = pieces_.tree().family(cell.level++, cell.node).first;

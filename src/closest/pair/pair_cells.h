@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nodes of the tree of pieces of a spline, and below them parts of its pieces, each made when it is first
-// asked for.
+// The hierarchy that a pair search descends on each spline: the nodes of the tree of its pieces and, below
+// them, parts of the pieces. All are made on demand.
 #pragma once
 
 #include "pieces/tree/framed_pieces.h"
@@ -12,15 +12,15 @@ namespace nrb::closest {
 
 struct PairCell {
     int level = 0;
-    int64_t node = 0; // of the tree
-    int halvings = 0; // of the piece of a node
-    size_t mark = 0;  // for what a search knows about it; 0: nothing
+    int64_t node = 0; // index in its level of the tree
+    int halvings = 0; // how often the piece of the node was halved
+    size_t mark = 0;  // refers to what a search knows about the cell; 0: nothing
     std::optional<pieces::BezierPiece> piece;
     const double *box = nullptr; // [2][dim]; infinite where the piece is not sound()
-    double moved = 0; // what rounding does to a piece; 0 for other cells, whose boxes have room for it
+    double moved = 0; // how far rounding may have moved a piece; 0 for other cells, whose boxes allow for it
     double size = 0;
-    std::vector<PairCell> children; // which stay where they are
-    std::vector<double> boxes;      // of children that are no pieces yet
+    std::vector<PairCell> children; // stable addresses
+    std::vector<double> boxes;      // of children that are not pieces yet
 };
 
 class PairCells {
@@ -28,12 +28,12 @@ public:
     PairCells(const Spline &spline, const pieces::Frame &frame);
 
     [[nodiscard]] PairCell &root() noexcept { return root_; }
-    // Makes the children; false if there can be none.
+    // Makes the children; false if the cell cannot be divided.
     bool split(PairCell &cell);
-    // Makes the piece of a cell that is one, whose box is smaller than that of its disc.
+    // If the cell is a node with a single piece, makes that piece; its box is smaller than that of its disc.
     void tighten(PairCell &cell);
-    // The most that rounding does to a piece whose weights are positive, of those made so far where no bound of
-    // all is known.
+    // The most that rounding moves a piece with positive weights; if no bound for all pieces is known, the
+    // maximum over those made so far.
     [[nodiscard]] double moved() const noexcept { return moved_; }
 
 private:

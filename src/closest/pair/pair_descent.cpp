@@ -13,10 +13,11 @@ namespace nrb::closest {
 namespace {
 
 constexpr int most_steps = 60;
-constexpr int64_t work_of_a_factor = 4; // of a coefficient
+constexpr int64_t work_of_a_factor = 4; // per coefficient
 constexpr int row_length = max_degree + 1, row_size = 3 * row_length;
 
-// visit(slot, first, second) for a value, the derivatives by one axis and those by two; -1 for none.
+// Calls visit(slot, first, second) for the value, the first derivatives and the second derivatives; first and
+// second are the axes of differentiation, -1 for none.
 template <class Visit>
 void for_slots(int axes, bool derivatives, Visit &&visit) {
     int slot = 0;
@@ -38,7 +39,7 @@ double &parameter(PairPlace &at, bool of_a, size_t k) noexcept {
 } // namespace
 
 const double *PieceJet::second(int k, int l) const noexcept {
-    const int place = k == 0 ? l : k == 1 ? axes_ + l - 1 : 5; // (00, 01, 02, 11, 12, 22)
+    const int place = k == 0 ? l : k == 1 ? axes_ + l - 1 : 5; // in the order 00, 01, 02, 11, 12, 22
     return values_.data() + (1 + axes_ + place) * dim_;
 }
 

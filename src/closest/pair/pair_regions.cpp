@@ -13,15 +13,16 @@ namespace nrb::closest {
 namespace {
 
 constexpr int64_t work_of_a_side = 200;
-constexpr double room = 64 * eps; // of a coordinate of points in the frame
+constexpr double room = 64 * eps; // relative to coordinates in the frame, which are at most about 1
 
-// Of x - y, with what rounding does to both.
+// The range of coordinate c of x - y for points of two cells, with their rounding included.
 Interval difference(const PairCell &x, const PairCell &y, int dim, int c) noexcept {
     const double moved = x.moved + y.moved + room;
     return {x.box[c] - y.box[dim + c] - moved, x.box[dim + c] - y.box[c] + moved};
 }
 
-// The sign of (X - Y) . X_k all over two cells, which is that of the slope of their distance; 0 if it is not known.
+// The sign of (X - Y) . X_k over all points of two cells, which is that of the derivative of their distance
+// along axis k of x; 0 if it is not known.
 int sign_of_slope(const pieces::Slopes &slopes, const PairCell &x, const PairCell &y) {
     const int dim = x.piece->dim();
     Interval all{infinity, -infinity};
@@ -81,7 +82,8 @@ bool PairRegions::exclude(PairCell &a, PairCell &b) {
            (falls_away(0, a, b) || falls_away(1, b, a));
 }
 
-// To an end of a cell that is none of the spline, nor a knot at which it may have a crease.
+// Whether the distance decreases towards an end of the cell that is neither an end of the spline nor a knot
+// at which it may have a crease.
 bool PairRegions::falls_away(size_t which, PairCell &cell, const PairCell &other) {
     Known &own = known(which, cell);
     const pieces::BezierPiece &piece = *cell.piece;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pairs of pieces may hold the nearest points of regions.
+// Excludes pairs of pieces that cannot hold the nearest points of two regions.
 #pragma once
 
 #include "closest/pair/pair_cells.h"
@@ -10,21 +10,22 @@
 
 namespace nrb::closest {
 
-// No piece lies outside; and, unless boundaries count, along no axis the distance falls all the way to an end beyond which the
-// spline goes on smoothly, so that points inside of both regions can be nearest to each other.
+// A pair is excluded if one of the pieces lies outside its region. Unless points on boundaries count, it is
+// also excluded if along some axis the distance decreases all the way to an end of a piece beyond which the
+// spline goes on smoothly: the nearest points then are not inside both regions within this pair.
 class PairRegions {
 public:
     PairRegions(const Spline &a, const Spline &b, const Regions &regions) noexcept
         : splines_{&a, &b}, regions_{regions.a, regions.b}, boundaries_(regions.boundaries) {}
 
     [[nodiscard]] bool none() const noexcept { return regions_[0] == nullptr && regions_[1] == nullptr; }
-    // Whether the places are in their regions.
+    // Whether both places are in their regions.
     [[nodiscard]] bool hold(const pieces::LocalParam &a, const pieces::LocalParam &b) const;
-    // Whether a pair does not count. Groups of pieces do.
+    // Whether a pair does not count. Cells that are groups of pieces are never excluded.
     [[nodiscard]] bool exclude(PairCell &a, PairCell &b);
 
 private:
-    // What is known of a cell, by its mark.
+    // What is known of a cell; cell.mark - 1 is its index.
     struct Known {
         int side;
         std::array<std::optional<pieces::Slopes>, max_axes> along{};

@@ -21,7 +21,7 @@ namespace {
 
 struct CellPair {
     PairCell *a, *b;
-    bool bounded; // by a descent and what separates the pieces
+    bool bounded; // by a descent and by separating surfaces
 };
 
 int highest_degree(const Spline &spline) noexcept {
@@ -32,21 +32,21 @@ int highest_degree(const Spline &spline) noexcept {
     return degree;
 }
 
-constexpr int64_t work_of_a_look = 400; // at a pair: memory and boxes of its parts
+constexpr int64_t work_of_a_look = 400; // at a pair: memory and the boxes of its parts
 
 using Entry = pieces::BestFirst<CellPair>::Entry;
 
 class PairSearch {
 public:
-    // tolerance, far: in the frame.
+    // tolerance, far: in units of the frame.
     PairSearch(const Spline &a, const Spline &b, const pieces::Frame &frame, double tolerance, int64_t budget,
                const Regions &regions, double far)
         : a_(a, frame), b_(b, frame), regions_(a, b, regions), dim_(a.dim()),
           degrees_(highest_degree(a) + highest_degree(b)), tolerance_(tolerance), budget_(budget),
           upper_(far) {}
 
-    // What rounding leaves open: of the pieces looked at, and of the points that are evaluated in the end, at
-    // both splines.
+    // An allowance for rounding: of the pieces examined, and of the final evaluation of the points on both
+    // splines.
     [[nodiscard]] double noise() const noexcept {
         return 4 * (a_.moved() + b_.moved()) + 64 * (degrees_ + 2) * eps;
     }
@@ -68,9 +68,9 @@ public:
         return std::max(0.0, std::min(-queue_.bound(), upper_));
     }
     [[nodiscard]] double at_most() const noexcept { return upper_; }
-    // Whether there are places at that distance.
+    // Whether places at that distance are known.
     [[nodiscard]] bool found() const noexcept { return found_; }
-    // The best places, with whether they are upper ends.
+    // The best places; left: whether a place is the upper end of its piece.
     struct Best {
         pieces::LocalParam a{}, b{};
         std::array<bool, max_axes> left_a{}, left_b{};
@@ -78,17 +78,18 @@ public:
     [[nodiscard]] const Best &best() const noexcept { return best_; }
 
 private:
-    // Pairs that are farther do not count; NaN, which is no limit, before there is a distance if any one will do.
+    // Pairs at this distance or more do not count. It is infinite before a distance is known if `far` is, and
+    // NaN, which excludes nothing, if the tolerance is infinite, too.
     [[nodiscard]] double limit() const noexcept { return upper_ - tolerance_ - noise(); }
 
-    // Whether there are bounds of the pair that it does not have yet.
+    // Whether the pair still lacks bounds that can be computed.
     static bool bounds(const CellPair &pair) noexcept {
         return pair.a->piece && pair.b->piece && pair.a->piece->positive() && pair.b->piece->positive() &&
                !pair.bounded;
     }
 
-    // A first distance, so that pairs are left out from the beginning: that of the pieces which are reached by
-    // way of the nearest children.
+    // Finds a first distance, so that pairs can be excluded from the beginning: descends to a pair of pieces
+    // by way of the nearest children.
     void dive() {
         Entry pair = entry({&a_.root(), &b_.root(), false}, 0);
         while (budget_ > 0 && !work_ended() && descend(pair)) {
@@ -101,7 +102,8 @@ private:
             push(pair);
         }
     }
-    // To the nearest pair with a child of a group; the others wait. False where there is no group.
+    // Replaces the pair by the nearest pair that a child of a group forms, and queues the others. False if
+    // neither cell is a group.
     bool descend(Entry &pair) {
         const PairCell *a = pair.item.a, *b = pair.item.b;
         if (a->piece && b->piece) {
@@ -122,13 +124,13 @@ private:
         push(children);
         return true;
     }
-    // The distance of the middles of the boxes.
+    // The distance between the centres of the boxes.
     [[nodiscard]] double between(const CellPair &pair) const noexcept {
         const double *a = pair.a->box, *b = pair.b->box;
         return norm_of(dim_, [&](int c) { return (a[c] + a[dim_ + c] - b[c] - b[dim_ + c]) / 2; });
     }
 
-    // Pieces are made where discs do not separate them.
+    // Makes a queue entry; the pieces are made if the boxes of their discs are not far enough apart.
     Entry entry(const CellPair &pair, double least) {
         if (!(apart(*pair.a, *pair.b) >= limit())) {
             a_.tighten(*pair.a);
@@ -181,16 +183,16 @@ private:
             children = divided(pair, lower, !first);
         }
         if (children.empty()) {
-            queue_.leave_out(-lower); // two points
+            queue_.leave_out(-lower); // both are points
         }
         push(children);
     }
-    // Groups go before pieces, pieces without bounds before all.
+    // The cell of higher rank is divided first: groups before pieces, larger ones before smaller ones.
     [[nodiscard]] static double rank(const PairCell &cell) noexcept {
         return cell.piece ? cell.size : cell.size + 1e3;
     }
 
-    // With the children of the first cell or the second, if there are any.
+    // The pairs with the children of the first cell, or of the second one; empty if there are none.
     std::vector<Entry> divided(const CellPair &pair, double lower, bool first) {
         PairCell &cell = first ? *pair.a : *pair.b;
         std::vector<Entry> pairs;
@@ -207,10 +209,10 @@ private:
     int dim_, degrees_;
     double tolerance_;
     int64_t budget_;
-    double upper_; // proven
+    double upper_; // a proven upper bound, in the frame
     bool found_ = false;
     Best best_;
-    pieces::BestFirst<CellPair> queue_; // by lower bounds, negated
+    pieces::BestFirst<CellPair> queue_; // ordered by negated lower bounds
     PairDescent descent_;
     PairBound bound_;
 };
@@ -244,7 +246,8 @@ PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, i
     return pair_distance(a, b, tolerance, budget, {}, infinity);
 }
 
-// Where no piece could be looked at any points of both will do, unless they have to be in regions.
+// If no pair of pieces could be examined, any points of both splines will do, unless they have to be in
+// regions or within a distance.
 PairDistance pair_distance(const Spline &a, const Spline &b, double tolerance, int64_t budget,
                            const Regions &regions, double far) {
     check_same_dimension(a, b);

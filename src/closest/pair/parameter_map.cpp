@@ -16,7 +16,7 @@ namespace {
 
 using Followers = std::array<ParameterMap::Follower, max_axes>;
 
-// Ends map to ends, and an interval to itself without rounding.
+// The linear map between two intervals. Ends map exactly to ends, and an interval to itself without rounding.
 double moved(double t, Interval from, Interval to) noexcept {
     if (from.lower == to.lower && from.upper == to.upper) {
         return t;
@@ -70,14 +70,15 @@ ParameterMap straight_map(const Spline &from, const Spline &to) {
 namespace {
 
 constexpr int samples = 3;
-// Shares of the domains that no symmetry maps to each other.
+// Relative positions in the domain that no symmetry of the domain maps to each other.
 constexpr double sample_shares[samples][max_axes] = {
     {0.31, 0.42, 0.58}, {0.77, 0.13, 0.36}, {0.08, 0.91, 0.65}};
 
-// Keeps the map under which the samples are nearest to each other.
+// Tries candidate maps and keeps the one under which the sample points are nearest to their images.
 class MapSearch {
 public:
-    // `rounding`: what cannot be told from 0. `tolerance`: where no map is of use any more.
+    // `rounding`: a misfit that cannot be distinguished from 0. `tolerance`: a map with a larger misfit is
+    // useless.
     MapSearch(const Spline &from, const Spline &to, double rounding, double tolerance)
         : from_(from), to_(to), rounding_(rounding), misfit_(tolerance),
           image_(static_cast<size_t>(to.dim())) {
@@ -93,7 +94,7 @@ public:
         return best_ ? std::optional<ParameterMap>(std::in_place, from_, to_, *best_) : std::nullopt;
     }
 
-    // The parameters themselves, which extracted parts keep.
+    // Tries the identity of parameters, which holds for parts extracted from a spline.
     void try_same_parameters() {
         Followers followers;
         for (int k = 0; k < to_.axes(); ++k) {
@@ -106,7 +107,7 @@ public:
         offer(followers);
     }
 
-    // From domain to domain.
+    // Tries all maps from domain to domain.
     void try_whole() {
         std::array<int, max_axes> order{};
         std::iota(order.begin(), order.end(), 0);
@@ -118,9 +119,9 @@ public:
         } while (std::next_permutation(order.data(), end));
     }
 
-    // Onto a part.
+    // Tries a map onto a part of the other domain.
     void try_part(int64_t budget) {
-        std::array<pieces::LocalParam, max_axes + 1> feet; // of a point, and of the next ones along each axis
+        std::array<pieces::LocalParam, max_axes + 1> feet; // of a point, and of its neighbours on each axis
         for (int k = -1; k < from_.axes(); ++k) {
             std::array<double, max_axes> shares{nearer, nearer, nearer};
             if (k >= 0) {
@@ -135,7 +136,7 @@ public:
 
 private:
     static constexpr double nearer = 0.25, farther = 0.75;
-    // What counts as rounding in a parameter found, as a part of the domain.
+    // Changes of a parameter up to this fraction of the domain count as rounding.
     static constexpr double standstill = 0x1p-30;
 
     static void evaluate(const Spline &spline, const pieces::LocalParam &params, std::vector<double> &point) {
@@ -164,7 +165,7 @@ private:
             best_ = followers;
         }
     }
-    // NaN if one is.
+    // The larger number; NaN if either is NaN.
     static double larger(double a, double b) noexcept { return a >= b ? a : b; }
 
     [[nodiscard]] Followers whole_followers(const std::array<int, max_axes> &order,
@@ -179,7 +180,7 @@ private:
         return followers;
     }
 
-    // The nearest point, as well as it can be found; false if it is not near.
+    // The nearest point, as exactly as a descent finds it; false if it is not near.
     [[nodiscard]] bool find_foot(const pieces::LocalParam &params, int64_t budget,
                                  pieces::LocalParam &found) {
         std::vector<double> point(static_cast<size_t>(from_.dim()));
@@ -193,7 +194,7 @@ private:
         return foot.distance <= misfit_;
     }
 
-    // Each axis follows the one along which it changes most.
+    // Lets each axis of the image follow the axis of the origin along which it changes most.
     [[nodiscard]] Followers
     part_followers(const std::array<pieces::LocalParam, max_axes + 1> &feet) const noexcept {
         Followers followers;
@@ -222,7 +223,7 @@ private:
 
     const Spline &from_, &to_;
     double rounding_;
-    double misfit_; // of the best map
+    double misfit_; // largest distance of a sample from its image under the best map
     std::optional<Followers> best_;
     std::array<pieces::LocalParam, samples> params_{};
     std::array<std::vector<double>, samples> points_;

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Maps between the parameters of two splines under which their points may be the same.
+// Axis-wise linear maps between the parameters of two splines that may trace the same points.
 #pragma once
 
 #include "pieces/bezier_piece.h"
 
 namespace nrb::closest {
 
-// From the parameters of one spline to those of another, linear along each axis: an axis of the image follows
-// one axis of the origin, in either direction, or stands still.
+// A map from the parameters of one spline, the origin, to those of another one, the image. Each axis of the
+// image is a linear function of one axis of the origin, increasing or decreasing, or it is constant.
 class ParameterMap {
 public:
-    // An axis of the image.
+    // How an axis of the image depends on the origin.
     struct Follower {
-        int axis = -1;        // of the origin; -1: none
-        Interval image{0, 0}; // of its domain, turned round if the lower end is above the upper one
+        int axis = -1;        // of the origin; -1: constant
+        Interval image{0, 0}; // of that axis; reversed if lower > upper
     };
     ParameterMap(const Spline &from, const Spline &to, const std::array<Follower, max_axes> &followers)
         : from_(from), to_(to), followers_(followers) {}
 
     [[nodiscard]] pieces::LocalParam operator()(const pieces::LocalParam &params) const noexcept;
-    // The breaks of the image that are inside the domain of axis k of the origin, moved there.
+    // The breaks of the image that fall into the interior of the domain of axis k of the origin, mapped back
+    // there.
     [[nodiscard]] std::vector<double> breaks(int k) const;
 
 private:
@@ -27,15 +28,17 @@ private:
     std::array<Follower, max_axes> followers_;
 };
 
-// Domain to domain, axis to axis. Precondition: the numbers of axes agree.
+// The map that takes each axis of the domain to the axis of the same number. Precondition: both splines have
+// the same number of axes.
 ParameterMap straight_map(const Spline &from, const Spline &to);
 
-// The map under which the points of a small sample are nearest to each other, if it brings them to within
-// `tolerance` and `rounding`, which is what distances of coincident points may amount to: the parameters
-// themselves, from domain to domain with the axes in any order and direction, or onto the part of `to` that
-// the nearest points of a few points of `from` span. `budget`: most pieces looked at for such a point. Cost:
-// some evaluations; unless the samples coincide, one nearest point, and as many more as `from` has axes if it
-// is near.
+// The best of a few candidate maps: the one that takes a small sample of points nearest to their images,
+// provided that these distances are at most `rounding` + `tolerance`, where `rounding` is the largest
+// distance between coincident points. The candidates are the identity of parameters; all maps from domain to
+// domain, with the axes in any order and direction; and a map onto the part of `to` that the nearest points
+// of a few points of `from` span. `budget`: most pieces examined for such a nearest point. Cost: some
+// evaluations and, unless the samples coincide, one nearest point, and as many more as `from` has axes if the
+// first one is near.
 std::optional<ParameterMap> matching_map(const Spline &from, const Spline &to, double rounding,
                                          double tolerance, int64_t budget);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of a surface that counts alone.
+// A part of the domain of a surface to which queries are restricted.
 #pragma once
 
 #include "closest/foot.h"
@@ -7,7 +7,7 @@
 
 namespace nrb::closest {
 
-// The region of a face, with its boundary.
+// The region of a face; its boundary belongs to it.
 class Region {
 public:
     Region() = default;
@@ -17,17 +17,19 @@ public:
 
     // 1 inside, 0 on the boundary to rounding, -1 outside.
     [[nodiscard]] virtual int side(const pieces::LocalParam &params) const = 0;
-    // Of a box of the domain: 1 if it is inside, -1 if it is outside, 0 if the boundary may come into it.
+    // For a box of the domain: 1 if it is inside, -1 if it is outside, 0 if it may contain points of the
+    // boundary.
     [[nodiscard]] virtual int side(const pieces::LocalParam &lower,
                                    const pieces::LocalParam &upper) const = 0;
-    // The point of the region, boundary and all, that is nearest to a point [dim]; some point of it at the limit of work.
+    // The point of the region, boundary included, that is nearest to a point [dim]; any point of the region
+    // if the limit of work is reached.
     [[nodiscard]] virtual BoundedFoot nearest(const double *point, double tolerance) = 0;
 };
 
-// Of two splines; null: all of it.
+// The regions of two splines; null: the whole spline.
 struct Regions {
     const Region *a = nullptr, *b = nullptr;
-    bool boundaries = false; // whether nearest points on boundaries count, too
+    bool boundaries = false; // whether nearest points on boundaries count
 };
 
 } // namespace nrb::closest

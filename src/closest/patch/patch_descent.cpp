@@ -17,7 +17,7 @@ double product(const double *a, const double *b, int n) noexcept {
     return sum;
 }
 
-// The slot of the second derivative along two axes, and the first derivative along one.
+// The slot of a second derivative.
 int64_t second(int axes, int k, int l) noexcept {
     eval::Orders orders{};
     ++orders[static_cast<size_t>(k)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The distance on a patch with its derivatives, and its local minima and maxima.
+// The distance from the query point on a patch, with its derivatives, local minima and maxima.
 #pragma once
 
 #include "closest/patch/patch_item.h"
@@ -7,7 +7,7 @@
 
 namespace nrb::closest {
 
-// Of S = Q / w.
+// |S|^2 for S = Q / w, with its derivatives; Q is the homogeneous patch with the query point as its origin.
 using PatchJet = pieces::SquareJet<max_axes>;
 using PatchBox = pieces::ParameterBox<max_axes>;
 
@@ -15,7 +15,7 @@ using PatchBox = pieces::ParameterBox<max_axes>;
 struct PatchValues {
     double length = 0; // |Q|
     double weight = 1;
-    AxisValues products{};    // Q Q_k
+    AxisValues products{};    // Q . Q_k
     AxisValues derivatives{}; // |Q_k|
     AxisValues weights{};     // w_k
 };
@@ -30,8 +30,8 @@ public:
     // The point itself, [dim].
     void point(const double *values, const AxisValues &at, double *out) const;
 
-    // Descends from `at` to where sign * |S| has a minimum in the box, sign = 1 or -1, which becomes `at`;
-    // the distance there.
+    // Descends from `at` to a minimum of sign * |S| in the box, with sign = 1 or -1; `at` becomes that place.
+    // Returns the distance there.
     pieces::Descent descend(const double *values, const PatchBox &box, double sign, double floor,
                             AxisValues &at, int steps = 60) const;
 

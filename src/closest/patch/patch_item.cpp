@@ -11,11 +11,12 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr double smallest_weight = 0x1p-200; // beyond it squares come near underflow
+constexpr double smallest_weight = 0x1p-200; // the squares of smaller weights come near underflow
 
 } // namespace
 
-// w x and the difference are rounded, and x - c was: eps / 2 of |x - c| each, and of the result.
+// The product w x, the difference A - w x and the earlier difference of x and the centre are rounded: errors
+// of eps / 2 relative to |x - c| each, and relative to the result.
 PatchItems::PatchItems(const PieceGrid &pieces, const double *point, PatchMemory &memory)
     : pieces_(pieces), memory_(memory), x_(memory.take(pieces.shape().lanes)),
       kept_(pieces.shape().values() <= small_piece ? most_kept : 1),
@@ -53,8 +54,8 @@ PatchItem PatchItems::whole(int64_t piece) const {
     return item;
 }
 
-// The factors of the matrix are products of `degree` rounded numbers, the sums have degree + 1 terms: 2
-// degree eps of the mean of the magnitudes, of the point and of the weight.
+// The factors of the matrix are products of `degree` rounded numbers, and the sums have degree + 1 terms: an
+// error of 2 degree eps relative to the mean of the magnitudes, for the point and for the weight.
 PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double upper,
                            const double *matrix) const {
     const auto at = static_cast<size_t>(axis);
@@ -74,8 +75,8 @@ PatchItem PatchItems::part(const PatchItem &item, int axis, double lower, double
     return part(item, axis, lower, upper, matrix);
 }
 
-// `degree` means one after the other, each off by eps / 2 of the means of the magnitudes: of points and
-// weights.
+// Halving takes `degree` successive means, each with an error of eps / 2 relative to the mean of the
+// magnitudes, for the point and for the weight.
 PatchItem PatchItems::halve_item(PatchItem &item, int axis) const {
     const PatchShape &shape = pieces_.shape();
     const auto at = static_cast<size_t>(axis);
@@ -143,7 +144,7 @@ void PatchItems::measure(PatchItem &item) const noexcept {
     }
     item.least_weight = least;
     item.most_weight = most;
-    if (!pieces_.positive()) { // errors of records and weights, and of halving, count by the smallest weight
+    if (!pieces_.positive()) { // errors of records, weights and halving relative to the least weight
         const double reach = item.reach + norm(x_, shape.dim);
         item.sound = pieces_.rounding().positive(least);
         item.moved = std::max(item.moved, pieces_.moved_by_weights(reach, least, item.depth));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of a piece about a query point.
+// A box of a piece, relative to a query point: the item that the branch-and-bound search divides.
 #pragma once
 
 #include "closest/patch/patch_memory.h"
@@ -7,16 +7,16 @@
 
 namespace nrb::closest {
 
-// Q = A - w x over a box in the piece: point i of the control net is Q_i / w_i.
+// The homogeneous control points (Q_i, w_i) over a box of the piece, with Q = A - w x for the query point x.
 struct PatchItem {
     double *values = nullptr;
     int64_t piece = 0;
     AxisValues lower{};         // in [0, 1] of the piece, along the axes of the shape
-    AxisValues length{1, 1, 1}; // of its sides
+    AxisValues length{1, 1, 1}; // side lengths of the box
     double moved = 0;           // how far rounding may have moved its points
-    double reach = 0;           // |Q_i| <= reach w_i
+    double reach = 0;           // |Q_i| <= reach * w_i
     double least_weight = 1, most_weight = 1;
-    bool sound = false; // all weights are > 0, or 0 with Q_i = 0 exactly: the above hold
+    bool sound = false; // every weight is > 0, or is 0 with Q_i = 0 exactly; the members above presume it
     int depth = 0;
 
     [[nodiscard]] double to_piece(int k, double s) const noexcept {
@@ -25,28 +25,28 @@ struct PatchItem {
     }
 };
 
-// What makes items from pieces for one query point.
+// Makes the items of one query point.
 class PatchItems {
 public:
     PatchItems(const PieceGrid &pieces, const double *point, PatchMemory &memory);
 
-    // The query point as the pieces place it.
+    // The query point in the frame of the pieces.
     [[nodiscard]] const double *x() const noexcept { return x_; }
-    // Whether all points of the spline are equally far from it to rounding.
+    // Whether all points of the spline are equally far away to rounding.
     [[nodiscard]] bool far_away() const noexcept;
-    // The values of a whole piece until those of other pieces are asked for, and how far rounding may have
-    // moved the points of any.
+    // The values of a whole piece, which stay valid only until those of other pieces are requested; and how
+    // far rounding may have moved the points of any piece.
     [[nodiscard]] const double *values(int64_t piece) const;
     [[nodiscard]] double moved() const noexcept { return moved_; }
-    // The whole piece.
+    // The item of a whole piece.
     [[nodiscard]] PatchItem whole(int64_t piece) const;
-    // The part [lower, upper] in the box of an item along an axis; matrix: pieces::part_matrix() of it.
+    // The part [lower, upper] of an item along an axis. `matrix` is its pieces::part_matrix().
     [[nodiscard]] PatchItem part(const PatchItem &item, int axis, double lower, double upper,
                                  const double *matrix) const;
     [[nodiscard]] PatchItem part(const PatchItem &item, int axis, double lower, double upper) const;
-    // The halves along an axis; item becomes the upper one.
+    // Halves an item along an axis: returns the lower half; `item` becomes the upper one.
     [[nodiscard]] PatchItem halve_item(PatchItem &item, int axis) const;
-    // Fills in sound, reach and the weights.
+    // Computes sound, reach and the extreme weights.
     void measure(PatchItem &item) const noexcept;
 
 private:
@@ -56,9 +56,9 @@ private:
     const PieceGrid &pieces_;
     PatchMemory &memory_;
     double *x_;
-    // The pieces that were made last, for which a query mostly asks again.
+    // A small cache of pieces, as a query mostly requests those that it used last.
     static constexpr int most_kept = 4;
-    static constexpr int64_t small_piece = 512; // doubles
+    static constexpr int64_t small_piece = 512; // number of doubles
     int kept_;
     double *values_; // [kept_][values()]
     double moved_ = 0;
@@ -66,7 +66,7 @@ private:
     mutable int next_ = 0;
 };
 
-// The axis along which the control points spread most; -1 without axes.
+// The axis along which the control points spread most; -1 if there are no axes.
 int longest_axis(const PatchShape &shape, const PatchItem &item) noexcept;
 
 } // namespace nrb::closest

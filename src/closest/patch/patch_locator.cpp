@@ -27,8 +27,8 @@ CriticalSet PatchLocator::minima(const Query &query) const {
     return set;
 }
 
-// The nearest and the farthest point are critical, but for creases: where they are not among the points
-// found, tangents that vanish or rounding have hidden some.
+// The nearest and the farthest point are critical points, except at creases. If they are not among the points
+// found, vanishing tangents or rounding have hidden some, and the set is not certified.
 CriticalSet PatchLocator::critical(const Query &query) const {
     const LimitedSearch search;
     CriticalSet set = critical_points(pieces_, query);

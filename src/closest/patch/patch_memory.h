@@ -9,14 +9,14 @@
 
 namespace nrb::closest {
 
-// Doubles that are given back in the reverse order, by Hold.
+// A stack of doubles, which a Hold gives back in the reverse order.
 class PatchMemory {
 public:
     PatchMemory() noexcept = default;
     PatchMemory(const PatchMemory &) = delete;
     PatchMemory &operator=(const PatchMemory &) = delete;
 
-    // Uninitialised, a multiple of a cache line long.
+    // An uninitialised array, padded to a multiple of a cache line.
     double *take(int64_t size) {
         const auto rounded = (static_cast<size_t>(size) + 7) / 8 * 8;
         if (block_ == 0 && used_ + rounded <= inline_size) {
@@ -26,7 +26,7 @@ public:
         return take_more(rounded);
     }
 
-    // What is taken while it lives is given back at its end.
+    // Gives back at the end of its life what was taken since its beginning.
     class Hold {
     public:
         explicit Hold(PatchMemory &memory) noexcept
@@ -69,15 +69,15 @@ private:
 
     alignas(64) double inline_[inline_size];
     std::vector<Block> blocks_;
-    size_t block_ = 0; // 0: inline_
+    size_t block_ = 0; // the current block is blocks_[block_ - 1]; 0: inline_
     size_t used_ = 0;
 };
 
-// A list whose first N elements are in place.
+// A vector whose first N elements need no allocation.
 template <class T, size_t N>
 class ShortList {
 public:
-    ShortList() noexcept {} // elements stay uninitialised
+    ShortList() noexcept {} // the elements stay uninitialised
     ShortList(const ShortList &) = delete;
     ShortList &operator=(const ShortList &) = delete;
 

@@ -63,7 +63,7 @@ void PatchMinima::consider(const PatchItem &item, const AxisValues &at, double d
     }
 }
 
-// A place from which a descent led to another one that is not the best one.
+// `before`: a place from which a descent led to `after`, which is not the best place.
 void PatchMinima::keep(const FootCandidate &before, const FootCandidate &after, bool strict) {
     if (!all_) {
         not_unique_ = true;
@@ -76,8 +76,8 @@ void PatchMinima::keep(const FootCandidate &before, const FootCandidate &after, 
     }
 }
 
-// Whether no descent leads on, neither into other pieces nor from a saddle. What is as near as the best point
-// is one in any case.
+// Whether no descent leads on from a place, neither into other pieces nor down from a saddle. A place as near
+// as the best one is always a minimum.
 bool PatchMinima::is_minimum(const FootCandidate &place) {
     if (place.certain || place.value <= best_.value + noise_) {
         return true;
@@ -94,7 +94,7 @@ bool PatchMinima::is_minimum(const FootCandidate &place) {
     return place.value - other.value <= noise_;
 }
 
-// Whether the distance bends downwards along an axis inside the piece.
+// Whether the second derivative of the distance along some axis is negative in the interior of the piece.
 bool PatchMinima::is_saddle(const FootCandidate &place) const {
     const PatchJet jet = descent_.jet(items_.values(place.piece), place.at);
     for (size_t k = 0; k < static_cast<size_t>(pieces_.shape().axes); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of other rooms that the search for nearest points on surfaces and volumes uses in every file.
+// Names of the room `pieces` that the search for nearest points on surfaces and volumes uses in every file.
 #pragma once
 
 #include "pieces/tree/piece_grid.h"

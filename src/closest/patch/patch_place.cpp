@@ -54,7 +54,8 @@ Foot foot_at(const PieceGrid &pieces, int64_t piece, const AxisValues &at, const
         const double s = shape_axis[i] < 0 ? -1 : at[static_cast<size_t>(shape_axis[i])];
         const double t = s < 0 ? low / 2 + high / 2 : s == 1 ? last : first + s * (last - first);
         foot.params[i] = std::clamp(t, low, high);
-        const bool inside = index[i] + 1 < pieces.count(axis); // the end of the domain is from below anyway
+        // At the end of the domain, the limit from below is taken anyway.
+        const bool inside = index[i] + 1 < pieces.count(axis);
         if (inside && foot.params[i] == last && pieces.jumps(axis, index[i] + 1)) {
             foot.left |= 1U << i;
         }

@@ -21,8 +21,8 @@ PatchProof::PatchProof(const PieceGrid &pieces, const PatchDescent &descent, con
     }
 }
 
-// A coefficient of |Q|^2 is within product_error() reach^2 times that of w^2, which is within product_error()
-// of itself.
+// A coefficient of |Q|^2 is within product_error() reach^2 times that of w^2, which in turn has a relative
+// error of at most product_error().
 bool PatchProof::positive() noexcept {
     const double size = item_.reach * item_.reach + goal_.rho * goal_.rho;
     return pieces::gap_coefficients(shape_.products(), gap_.squares, gap_.weights, goal_.sign,
@@ -36,11 +36,11 @@ bool PatchProof::flat(double by) const noexcept {
     return std::all_of(gap_.values, gap_.values + count, [&](double g) { return std::abs(g) <= bound; });
 }
 
-// Visits the coefficients of the face, the last shrink[k] along each axis left out.
+// Visits the coefficients on the face, leaving out the last shrink[k] along each axis.
 template <class Visit>
 void PatchProof::for_face(const std::array<int, max_axes> &shrink, Visit &&visit) const noexcept {
     std::array<int64_t, max_axes> first{}, end{1, 1, 1}, step{};
-    for (int k = 0; k < shape_.axes; ++k) { // the last axis innermost
+    for (int k = 0; k < shape_.axes; ++k) { // so that the last axis is innermost
         const auto at = static_cast<size_t>(k), place = at + max_axes - static_cast<size_t>(shape_.axes);
         const int64_t n = 2 * shape_.degree(k);
         step[place] = step_[at];
@@ -84,7 +84,8 @@ PatchProof::Range PatchProof::second_differences(int k, int l) const noexcept {
     return range;
 }
 
-// F falls by at most n times the largest fall of a coefficient.
+// Along an axis of degree n, F falls below its value on a face by at most n times the largest decrease
+// between neighbouring coefficients.
 bool PatchProof::drop_axes(double allowed) noexcept {
     bool dropped = false;
     for (int k = 0; k < shape_.axes; ++k) {
@@ -146,7 +147,7 @@ PatchProof::Corner PatchProof::least_corner() const noexcept {
     return least;
 }
 
-// Where the least coefficient has its basis function's peak.
+// The place at which the basis function of the least coefficient has its peak.
 AxisValues PatchProof::lowest() const noexcept {
     const double *least = nullptr;
     for_face({}, [&](const double *g) {
@@ -188,7 +189,7 @@ double PatchProof::loss(const AxisValues &gradient, double more) const noexcept 
     return 0.55 * dot(x.data(), x.data(), static_cast<int>(n));
 }
 
-// At the ends of an axis its functions are exact.
+// Relative error of an evaluation at a place: at the ends of an axis, the basis functions are exact.
 double PatchProof::value_error(const AxisValues &at) const noexcept {
     double error = eps;
     for (int k = 0; k < shape_.axes; ++k) {
@@ -198,7 +199,8 @@ double PatchProof::value_error(const AxisValues &at) const noexcept {
     return 1.1 * error;
 }
 
-// |Q| and Q_k are within value_error() of the means of magnitudes, reach w and 2 p reach w_max.
+// Evaluated at `at`, |Q| and Q_k have errors of at most value_error() times the means of the magnitudes,
+// which are at most reach w and 2 p reach w_max.
 bool PatchProof::holds_at(const AxisValues &at) {
     const PatchValues v = descent_.values(item_.values, at);
     const double rho = goal_.rho, w = v.weight, reach = item_.reach, kappa = value_error(at);
@@ -236,12 +238,12 @@ bool PatchProof::holds_at(const AxisValues &at) {
         return true;
     }
     strict_ = false;
-    more = 0.9 * rest / free; // half of it times free, at most, is lost
+    more = 0.9 * rest / free; // adds at most 0.5 `more` |y|^2 <= 0.45 rest in the unit box
     const double lost = loss(gradient, more);
     return lost >= 0 && lost <= 0.5 * rest;
 }
 
-// Without what dropping an axis may cost first, so that a minimum which is the only one is known to be so.
+// First drops only the axes that cost nothing, so that a unique minimum can be recognized as unique.
 bool PatchProof::convex(const AxisValues *guess) {
     while (drop_axes(0)) {
     }

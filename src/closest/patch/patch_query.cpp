@@ -14,7 +14,7 @@ PatchQuery::PatchQuery(const PieceGrid &pieces, const Query &query)
     : pieces_(pieces), query_(query), items_(pieces, query.point, memory_), descent_(pieces.shape(), memory_),
       sign_(query.farthest ? -1.0 : 1.0) {
     const double reach = norm(items_.x(), pieces.shape().dim) + pieces.radius();
-    tolerance_ = std::min(pieces.scaled(query.tolerance), 4 * reach); // more says no more
+    tolerance_ = std::min(pieces.scaled(query.tolerance), 4 * reach); // a larger tolerance changes nothing
     noise_ = scaled_noise(pieces, query.point);
     floor_ = 8 * eps * (pieces.size() + pieces.magnitude(query.point));
 }
@@ -28,7 +28,7 @@ bool PatchQuery::same_params(const FootCandidate &a, const FootCandidate &b) con
                        foot_at(pieces_, b.piece, b.at, query_.range));
 }
 
-// Rounding cannot tell points apart that are nearer to each other than this on a sphere about x.
+// Points on a sphere about x that are at most least_apart() apart are the same to rounding.
 bool PatchQuery::same_point(const FootCandidate &a, const FootCandidate &b) {
     if (query_.sheets && !same_params(a, b)) {
         return false;
@@ -60,7 +60,8 @@ double PatchQuery::moved(int64_t piece, const AxisValues &at) const {
     return std::min(items_.moved() + pieces_.moved_by_weights(reach, weight), 0x1p100);
 }
 
-// The pieces around a place at a side of its piece: the first in which the distance falls further.
+// For a place on the boundary of its piece, tries the pieces that share this boundary; moves to the first one
+// in which a descent leads to a smaller value.
 bool PatchQuery::walk_on(FootCandidate &place) {
     const PatchShape &shape = pieces_.shape();
     const PieceGrid::Index index = pieces_.index(place.piece);
@@ -112,7 +113,7 @@ bool PatchQuery::walk(FootCandidate &place) {
     return false;
 }
 
-// At the parameters of a foot, which are rounded.
+// The distance at the rounded parameters of a foot.
 double PatchQuery::distance_at(int64_t piece, const Foot &foot) const {
     const PieceGrid::Index index = pieces_.index(piece);
     AxisValues at{};
@@ -125,7 +126,8 @@ double PatchQuery::distance_at(int64_t piece, const Foot &foot) const {
     return descent_.distance(items_.values(piece), at);
 }
 
-// The best of the parameters around, where rounding them moves the point by more than it may.
+// Where rounding the parameters moves the point by more than is allowed: takes the best of the neighbouring
+// floating-point parameters.
 void PatchQuery::polish(int64_t piece, Foot &foot) const {
     const Foot centre = foot;
     const PieceGrid::Index index = pieces_.index(piece);
@@ -147,7 +149,7 @@ void PatchQuery::polish(int64_t piece, Foot &foot) const {
     }
 }
 
-// The distance is that at the parameters after their rounding.
+// The foot of a candidate; its distance is the one at the rounded parameters.
 Foot PatchQuery::foot(const FootCandidate &place) {
     const PatchMemory::Hold hold(memory_);
     Foot result = foot_at(pieces_, place.piece, place.at, query_.range);

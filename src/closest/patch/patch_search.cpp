@@ -15,9 +15,9 @@ namespace nrb::closest {
 namespace {
 
 constexpr int deepest = 48;              // halvings of an axis
-constexpr int most_rounds = 8;           // of improvements by one item
-constexpr int64_t work_of_a_look = 1000; // besides that of its products: descents, mostly
-constexpr int64_t turn = 12; // items of a leaf, or of a part that was put off, that are looked at in a row
+constexpr int most_rounds = 8;           // improvements by one item
+constexpr int64_t work_of_a_look = 1000; // mostly descents; the products come in addition
+constexpr int64_t turn = 12; // items examined in a row for one leaf, or for one part that was put off
 
 } // namespace
 
@@ -33,7 +33,7 @@ void PatchSearch::spend() {
     count_work(work_);
 }
 
-// From the best centre.
+// Descends from the best centre seen, for a first value.
 void PatchSearch::start(const PatchTree::Centre &centre) {
     const PatchMemory::Hold hold(memory_);
     const double *values = items_.values(centre.piece);
@@ -50,8 +50,8 @@ void PatchSearch::start(const PatchTree::Centre &centre) {
     }
 }
 
-// What may hold the best point comes first, so that little is left to look at, and that the best point is a
-// good one where the budget ends before.
+// Pieces that may hold the best point come first, so that little is left to examine, and so that the best
+// point found is a good one if the budget ends early.
 void PatchSearch::search() {
     PatchCandidates candidates(pieces_, tree_, query_, items_.x(), tolerance_ + noise_);
     start(candidates.start());
@@ -77,7 +77,7 @@ void PatchSearch::search_piece(const PatchCandidates::Group &group) {
     items_.measure(whole);
     const PatchBox part = box(group.piece);
     const bool most = std::count_if(group.first, group.last, counts) > 5 && query_.range == nullptr;
-    if (most && !spent()) { // all of it may be finished at once
+    if (most && !spent()) { // the proof may succeed for the whole piece at once
         const PatchMemory::Hold again(memory_);
         PatchItem item = whole;
         bool fresh = false;
@@ -93,7 +93,7 @@ void PatchSearch::search_piece(const PatchCandidates::Group &group) {
     }
 }
 
-// Parts that were put off, the nearest ones first.
+// Continues with the parts that were put off, in increasing order of order().
 void PatchSearch::search_later() {
     const int64_t size = pieces_.shape().values();
     while (!later_.empty() && !spent()) {
@@ -112,11 +112,11 @@ void PatchSearch::search_later() {
     incomplete_ = incomplete_ || !later_.empty();
 }
 
-// The leaf, as far as it is in the range that was asked for.
+// Examines the part of a leaf that lies in the range of the query.
 void PatchSearch::search_leaf(const PatchItem &whole, const PatchBox &part, const PatchTree::Leaf &leaf) {
     const PatchMemory::Hold hold(memory_);
     PatchItem item = whole;
-    if (tree_.parts() == 1) { // halving writes into it
+    if (tree_.parts() == 1) { // a copy, as halving overwrites the values
         item.values = memory_.take(pieces_.shape().values());
         std::copy_n(whole.values, pieces_.shape().values(), item.values);
     }
@@ -180,7 +180,8 @@ void PatchSearch::put_off(const PatchItem &item, int axis) {
     later_.push(-order(item), {best_.value, item, axis, {values, values + pieces_.shape().values()}});
 }
 
-// How good the points of an item may be, by a ball about its middle: no proof, rounding is not in it.
+// An estimate of the least value in an item, by a ball about its middle. It only sets the order of the
+// search: rounding is not included.
 double PatchSearch::order(const PatchItem &item) const {
     const PatchMemory::Hold hold(memory_);
     const PatchShape &shape = pieces_.shape();
@@ -206,8 +207,8 @@ void PatchSearch::split(PatchItem &item, int axis) {
     examine(item, false);
 }
 
-// For patches of so many coefficients that their squares cost too much: the ball of the coefficients, and the
-// half space beyond the middle.
+// For patches of so many coefficients that their squares cost too much: excludes an item by the ball of its
+// coefficients (for the farthest point), or by a half space orthogonal to the direction of its middle.
 bool PatchSearch::excluded_by_plane(const PatchItem &item) {
     const double limit = lower() + item.moved + best_.error + 4 * pieces_.value_error() * item.reach;
     if (query_.farthest) {
@@ -243,7 +244,7 @@ bool PatchSearch::finished_without_squares(const PatchItem &item, bool &fresh) {
     return better && excluded_by_plane(item);
 }
 
-// Whether no point of the item counts any more, after what it may have shown has been kept.
+// Whether no point of the item counts any more, once the minima found in it have been recorded.
 bool PatchSearch::finished(const PatchItem &item, bool &fresh, int &axis) {
     const PatchShape &shape = pieces_.shape();
     if (shape.coefficients() > pieces::most_squared) {
@@ -263,7 +264,7 @@ bool PatchSearch::finished(const PatchItem &item, bool &fresh, int &axis) {
     return verdict == Verdict::finished;
 }
 
-// Whether all points are worse than the best one by more than what counts.
+// Whether all points of the item are worse than the best one by more than counts.
 bool PatchSearch::is_worse(const PatchItem &item, const PatchGap &gap) {
     const PatchGoal goal_of_others = goal(upper(), item);
     return goal_of_others.rho >= 0 ? PatchProof(pieces_, descent_, item, goal_of_others, gap).positive()
@@ -303,14 +304,15 @@ PatchSearch::Verdict PatchSearch::prove(const PatchItem &item, const PatchGap &g
             return Verdict::improved;
         }
     }
-    // Rounding counts by the reach, so that now and then all axes have their turn.
+    // Rounding is proportional to the reach of an item, so that from time to time the item is halved along
+    // its longest axis, whatever the second derivatives are.
     const bool wide = item.depth % 3 == 2 && item.reach > 1.25 * least.rho;
     axis = wide ? longest_axis(pieces_.shape(), item) : proof.widest_axis();
     return not_nearer && item.depth > deepest ? Verdict::finished : Verdict::open;
 }
 
-// Weights move the minimum of F away from that of the distance where it is not near 0: whether what was found
-// is the latter, if it counts.
+// With weights, a minimum of F is not that of the distance unless F is near 0 there. Tests whether the
+// minimum that was found is the least of the distance in this item, if its value counts at all.
 bool PatchSearch::is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found) {
     const double value = sign_ * found.distance();
     if (!pieces_.shape().weighted || value > upper()) {
@@ -341,8 +343,9 @@ Foot PatchSearch::nearest() {
     return result;
 }
 
-// Where the tolerance is more than rounding: among the critical points of the pieces that come so near. The
-// proofs of search() leave what is worse by less than the tolerance alone.
+// For a tolerance larger than rounding: finds the minima among the critical points of all pieces that come
+// near enough. The proofs of search() do not suffice, as they disregard what is worse by less than the
+// tolerance.
 void PatchSearch::search_minima() {
     const double tolerance = std::exchange(tolerance_, 0.0);
     search();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for the nearest or farthest points of one query: branch and bound.
+// The branch-and-bound search for the nearest or farthest points of one query.
 #pragma once
 
 #include "base/watch.h"
@@ -17,18 +17,19 @@ public:
     PatchSearch(const PieceGrid &pieces, const PatchTree &tree, const Query &query);
 
     Foot nearest();
-    // All minima that are as near as the nearest one to the tolerance, in rising order of parameters.
+    // All minima that are as near as the nearest one to the tolerance, in increasing order of parameters.
     std::vector<Foot> all();
 
 private:
-    // So that memory stays bounded; with more put off, the search goes into depth.
+    // Bounds the memory for parts that were put off; once the queue is full, the search continues depth
+    // first.
     static constexpr size_t most_put_off = 4096;
     using Candidate = PatchCandidates::Candidate;
     struct PutOff {
-        double best;                // value found when it was put off
-        PatchItem item;             // without values
-        int axis;                   // to halve it along
-        std::vector<double> values; // of the item
+        double best;                // best value at the time
+        PatchItem item;             // without its values
+        int axis;                   // along which to halve it
+        std::vector<double> values; // those of the item
     };
 
     void start(const PatchTree::Centre &centre);
@@ -36,7 +37,7 @@ private:
     void search_piece(const PatchCandidates::Group &group);
     void search_later();
     void search_leaf(const PatchItem &whole, const PatchBox &part, const PatchTree::Leaf &leaf);
-    // A part of a piece is proved not to matter, or its halves are searched.
+    // Proves that a part of a piece does not matter, or searches its halves.
     void examine(PatchItem &item, bool fresh);
     bool finished(const PatchItem &item, bool &fresh, int &axis);
     bool finished_without_squares(const PatchItem &item, bool &fresh);
@@ -44,7 +45,7 @@ private:
         open,
         improved,
         finished
-    }; // improved: by a point of it, so that it is to be proved again
+    }; // improved: a point of the part is the new best one, so the proof has to be repeated
     Verdict prove(const PatchItem &item, const PatchGap &gap, bool &fresh, int &axis);
     bool is_worse(const PatchItem &item, const PatchGap &gap);
     bool is_least(const PatchItem &item, const PatchGap &gap, const PatchProof &found);
@@ -66,13 +67,13 @@ private:
 
     const PatchTree &tree_;
     bool incomplete_ = false;
-    int64_t cost_ = 1; // of an item
-    int64_t work_ = 1; // the same in multiply-adds
+    int64_t cost_ = 1; // of an item, in units of the budget
+    int64_t work_ = 1; // of an item, in multiply-adds
     int64_t spent_ = 0;
-    int64_t pause_ = 0;               // what may be spent before parts are put off
-    pieces::BestFirst<PutOff> later_; // by order(), negated
-    int overdraft_ = 16; // descents that are still allowed after the budget, from middles of leaves
-    int extra_ = 0;      // items looked at only because there may be others
+    int64_t pause_ = 0;               // spent_ at which parts begin to be put off
+    pieces::BestFirst<PutOff> later_; // ordered by negated order()
+    int overdraft_ = 16;              // descents from middles of leaves, allowed after the budget
+    int extra_ = 0;                   // items examined only because there may be other minima
 };
 
 } // namespace nrb::closest

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a body that are looked at before they are used.
+// Reads numbers of a body, and checks them before they are used.
 #pragma once
 
 #include "io/binary/envelope.h"
@@ -8,13 +8,14 @@
 
 namespace nrb::io {
 
-// All throw Status::syntax, naming the number, for one that is not what they say.
+// All throw Status::syntax for a number that is not as described, and what ByteReader throws. `what`: how
+// messages name the number.
 
-// How many things follow, of which each takes at least a byte.
+// A number of things that follow, each of which takes at least a byte.
 int64_t size_from(ByteReader &reader, const char *what);
-// From `least` to count - 1.
+// An index from `least` to count - 1.
 int64_t index_from(ByteReader &reader, int64_t least, int64_t count, const char *what);
-// Of these bits only.
+// Flags, with no bits other than those of `known`.
 uint64_t flags_from(ByteReader &reader, uint64_t known, const char *what);
 double finite_from(ByteReader &reader, const char *what);
 void finite_from(ByteReader &reader, std::span<double> values, const char *what);

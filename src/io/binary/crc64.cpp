@@ -7,7 +7,7 @@ namespace nrb::io {
 
 namespace {
 
-// Row r has what a byte does r bytes later.
+// Row r holds the effect of a byte after r more bytes.
 using Tables = std::array<std::array<uint64_t, 256>, 8>;
 
 constexpr Tables make_tables() noexcept {
@@ -31,7 +31,7 @@ constexpr Tables make_tables() noexcept {
 
 } // namespace
 
-// Eight bytes at a time.
+// Processes eight bytes at a time (slicing by 8).
 uint64_t crc64(std::span<const unsigned char> bytes, uint64_t before) noexcept {
     static constexpr Tables tables = make_tables();
     uint64_t sum = ~before;

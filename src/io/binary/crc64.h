@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A checksum that finds every burst of errors of up to 64 bits.
+// CRC-64: a checksum that detects every burst of errors of up to 64 bits.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace nrb::io {
 
-// The polynomial of ECMA-182, bits reflected, as xz has it: that of "123456789" is 0x995DC9BBDF1939FA. `before` is the
-// checksum of the bytes before.
+// The polynomial is that of ECMA-182, with reflected bits, as in xz: the checksum of "123456789" is
+// 0x995DC9BBDF1939FA. `before`: the checksum of the bytes that precede these.
 uint64_t crc64(std::span<const unsigned char> bytes, uint64_t before = 0) noexcept;
 
 } // namespace nrb::io

@@ -30,19 +30,19 @@ uint64_t number_at(std::span<const unsigned char> bytes, size_t place, size_t si
     return value;
 }
 
-// Of no bytes, too, whose pointers may be null.
+// memcpy(), also for no bytes, whose pointers may be null.
 void copy_bytes(const void *from, size_t size, void *to) noexcept {
     if (size > 0) {
         std::memcpy(to, from, size);
     }
 }
 
-// Of all bytes but its own.
+// The checksum of all bytes but those of the checksum itself.
 uint64_t checksum_of(std::span<const unsigned char> bytes) noexcept {
     return crc64(bytes.subspan(at_numbers), crc64(bytes.first(at_checksum)));
 }
 
-// With its article; by its number where a later library wrote it.
+// The name of a kind with its article; of a kind from a later version of the library, its number.
 std::string name_of(Kind kind) {
     switch (kind) {
     case Kind::spline:
@@ -185,7 +185,7 @@ std::vector<double> ByteReader::take_doubles(int64_t count, size_t spare) {
     need(static_cast<uint64_t>(count));
     const auto size = static_cast<size_t>(count);
     std::vector<double> values;
-    values.reserve(size + spare); // checked: the bytes hold so many
+    values.reserve(size + spare); // need() has shown that the bytes hold so many
     values.resize(size);
     if constexpr (std::endian::native == std::endian::little) {
         copy_bytes(bytes_.data() + place_, 8 * size, values.data());

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The form that handles have as bytes: a header of 64 bytes, and a body of numbers, all with the lowest byte first.
+// The binary form of handles: a header of 64 bytes, then a body of numbers. All numbers are little-endian.
 //
-//     0   8 bytes that show what text mode and 7-bit channels do to files: 89 'N' 'U' 'R' 0d 0a 1a 0a
+//     0   8 bytes that reveal damage by text mode and 7-bit channels: 89 'N' 'U' 'R' 0d 0a 1a 0a
 //     8   version of the form: major, minor (16 bits each)
 //     12  kind of handle (32 bits)
 //     16  size of the whole in bytes (64 bits)
 //     24  crc64() of all other bytes
-//     32  8 numbers of the kind (32 bits each), 0 where there are none
+//     32  8 numbers whose meaning depends on the kind (32 bits each), 0 where there are none
 //     64  the body
 //
-// Readers take all versions of their major and of those before it; what a later minor version adds stands behind what they
-// know.
+// Readers accept every version whose major number is not above their own. A later minor version only adds
+// data after what they know.
 #pragma once
 
 #include <array>
@@ -28,14 +28,14 @@ inline constexpr uint16_t major_version = 1, minor_version = 0;
 
 using HeaderNumbers = std::array<int32_t, 8>;
 
-// Each part of a body begins at a multiple of so many bytes.
+// Each part of a body begins at a multiple of this many bytes.
 inline constexpr size_t alignment = 64;
 
 constexpr size_t aligned(size_t size) noexcept {
     return (size + alignment - 1) / alignment * alignment;
 }
 
-// Writes a whole, in the order of its parts, over memory of just its size.
+// Writes the header, then the body part by part, to memory of exactly the size of the whole.
 class ByteWriter {
 public:
     ByteWriter(Kind kind, const HeaderNumbers &numbers, std::span<unsigned char> out) noexcept;
@@ -45,12 +45,12 @@ public:
     void put(double value) noexcept;
     void put(std::span<const double> values) noexcept;
     void put(std::string_view text) noexcept;
-    // Zeros up to the next part.
+    // Writes zeros up to the start of the next part.
     void align() noexcept;
-    // Memory of the body that somebody else writes.
+    // The next `size` bytes of the body, for the caller to write.
     [[nodiscard]] std::span<unsigned char> room(size_t size) noexcept;
     [[nodiscard]] size_t place() const noexcept { return place_; }
-    // The size and the checksum; to be called last.
+    // Writes the size and the checksum to the header; to be called last.
     void finish() noexcept;
 
 private:
@@ -58,45 +58,50 @@ private:
     size_t place_ = header_size;
 };
 
-// What a header says, after it was checked against the bytes.
+// The contents of a header.
 struct Header {
     Kind kind;
     uint16_t major, minor;
     HeaderNumbers numbers;
 };
-// Throws Status::format for bytes that are no handle, truncated or syntax if there are fewer or more than the header says,
-// version for one of a later major version, checksum.
+// Reads a header and checks it against the bytes. Throws Status::format for bytes that are not those of a
+// handle, truncated for fewer bytes than the header says, syntax for more, version for a later major version,
+// and checksum.
 Header read_header(std::span<const unsigned char> bytes);
-// Kind and version alone, of any version, from the bytes of a header or more. Throws Status::format or truncated.
+// Reads only the kind and the version, whatever the version, from at least the bytes of a header. Throws
+// Status::format or truncated.
 Header read_kind(std::span<const unsigned char> bytes);
 
-// Reads a body from its start.
+// Reads a body from start to end.
 class ByteReader {
 public:
-    // Throws what read_header() does, and Status::format for another kind.
+    // Throws what read_header() throws, and Status::format for another kind.
     ByteReader(std::span<const unsigned char> bytes, Kind kind);
 
     [[nodiscard]] const HeaderNumbers &numbers() const noexcept { return header_.numbers; }
-    // Throws Status::truncated where there are not so many numbers of 64 bits; to be asked before room is made for them.
+    // Throws Status::truncated unless `count` more numbers of 64 bits are left. To be called before memory is
+    // allocated for them.
     void need(uint64_t count) const;
-    // A reader at the part of `count` records of so many numbers each that begins here; this one passes over it. Throws
-    // Status::truncated.
+    // A reader of the part that begins here, with `count` records of `numbers` numbers each. This reader
+    // moves on to the next part. Throws Status::truncated.
     [[nodiscard]] ByteReader part(int64_t count, size_t numbers);
     [[nodiscard]] size_t left() const noexcept { return bytes_.size() - place_; }
     [[nodiscard]] uint64_t take();
     [[nodiscard]] int64_t take_integer() { return static_cast<int64_t>(take()); }
     [[nodiscard]] double take_double();
-    // So many numbers, in memory that has room for `spare` more.
+    // `count` numbers, in a vector with capacity for `spare` more.
     [[nodiscard]] std::vector<double> take_doubles(int64_t count, size_t spare = 0);
-    // So many integers of 64 bits.
+    // `count` integers of 64 bits.
     [[nodiscard]] std::vector<int64_t> take_integers(int64_t count);
     [[nodiscard]] std::string_view take_text(int64_t size);
-    // The bytes of a whole, with its own header, that stands at `place` in the body, where the last part ended.
+    // The bytes of a handle within the body, which has a header of its own and begins here. Throws
+    // Status::syntax unless `place`, where it begins according to the body, is here; truncated if it is not
+    // complete.
     [[nodiscard]] std::span<const unsigned char> take_record(int64_t place);
-    // Throws Status::syntax unless the part that begins here begins at `place`, as the bytes say.
+    // Throws Status::syntax unless `place`, where a part begins according to the body, is here.
     void check_place(int64_t place, const char *part) const;
     void align() noexcept;
-    // Throws Status::syntax for bytes behind the last part, but for those of a later minor version.
+    // Throws Status::syntax for bytes after the last part, unless a later minor version wrote them.
     void end() const;
 
 private:

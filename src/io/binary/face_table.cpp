@@ -44,7 +44,8 @@ int64_t key_from(ByteReader &reader) {
     return key;
 }
 
-// A distance that is larger than the bytes say by no more than rounding on another machine is the same.
+// Proves anew how near a curve that was made is to its edge. The bytes are accepted if the proven distance
+// exceeds theirs by no more than the rounding of another machine; else throws Status::syntax.
 void check_proof(const face::Face &face, const face::Coedge &made, size_t loop, size_t index) {
     const SplinePtr curve = made.against ? refine::reverse(*made.curve, 0, false) : made.curve;
     const double found = face::proven_distance(face.surface(), face.covering(), curve, *made.edge);
@@ -59,7 +60,7 @@ void check_proof(const face::Face &face, const face::Coedge &made, size_t loop, 
     }
 }
 
-// Of the loops as the face was made of them.
+// `loops`: those from which the face was made, before it turned any.
 void check_proofs(const face::Face &face, const std::vector<face::Loop> &loops) {
     for (size_t i = 0; i < loops.size(); ++i) {
         for (size_t j = 0; j < loops[i].size(); ++j) {

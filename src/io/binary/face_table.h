@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The faces in a body: three parts, and splines in the table of what holds them.
+// The faces in a body, in three parts. Their splines are in the spline table of the body.
 //
-//     of each face: its surface, the number of its loops, flags: 1 gaps are larger than the tolerance; its tolerance
-//     of each loop: the number of its curves, flags: 1 the face was made with the loop backwards
-//     of each curve: the curve, its edge or -1, the key of that, flags: 1 the edge runs against the curve, 2 their distance is
-//         proven; that distance, else 0
+//     for each face: its surface; the number of its loops; flags: 1 gaps are larger than the tolerance;
+//         its tolerance
+//     for each loop: the number of its curves; flags: 1 the face was made with the loop reversed
+//     for each curve: the curve; its edge or -1; the key of the edge; flags: 1 the edge runs against the
+//         curve, 2 their distance is proven; that distance, or else 0
 //
 // All numbers have 64 bits; splines are indices in the table.
 #pragma once
@@ -20,13 +21,13 @@ struct FaceSizes {
 
 class FaceTable {
 public:
-    // Both have to outlive this.
+    // The face must outlive this object.
     void add(const face::Face &face, SplineTable &splines);
 
     [[nodiscard]] FaceSizes sizes() const noexcept {
         return {std::ssize(faces_), loops_, std::ssize(coedges_)};
     }
-    // From the beginning of a part to its end.
+    // The size from the start of the first part to the end of the last one, padding included.
     [[nodiscard]] size_t size_in_bytes() const noexcept;
     void write(ByteWriter &writer) const noexcept;
 
@@ -46,16 +47,19 @@ private:
     int64_t loops_ = 0;
 };
 
-// The faces of a body, made once its splines are known. A face is made of its loops as it was before, so that it answers with the
-// same bits: what was turned is turned back, and turned again. Distances of curves that were made are proven anew.
+// Reads the faces of a body; their splines have to be known. A face is made from its loops in the directions
+// that they had when it was first made, so that it gives the same answers bit for bit: loops that the face
+// had turned are turned back, and the new face turns them again. The distances of curves that were made from
+// edges are proven anew.
 class FaceReader {
 public:
-    // Passes over the parts. Throws Status::truncated.
+    // Takes the three parts from `reader`, which moves on past them. Throws Status::truncated.
     FaceReader(ByteReader &reader, const FaceSizes &sizes);
 
-    // The next face. Throws what ByteReader and Face do, and Status::syntax, axes, dimension for numbers that no face has.
+    // The next face. Throws what ByteReader and Face throw, and Status::syntax, axes, dimension or tolerance
+    // for numbers that no face has.
     [[nodiscard]] face::FacePtr next(const std::vector<SplinePtr> &splines);
-    // Throws Status::syntax where loops or curves are left that belong to no face.
+    // Throws Status::syntax if there are loops or curves left, which belong to no face.
     void end() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A list of splines as bytes: names, notes and unit included.
+// The binary form of a list of splines, with names, notes and unit.
 #pragma once
 
 #include "io/binary/spline_table.h"
@@ -9,21 +9,22 @@ namespace nrb::io {
 
 // The body, each part at a multiple of 64 bytes:
 //
-//     64   numbers of places in the list, of splines that differ, of notes, and of bytes of text; metres per unit, a double
-//     128  which spline is at each place
-//          of each note its entity type, line and reason
-//          where each text ends, counted from the start of the texts: the names, then the words of the notes
+//     64   numbers of entries of the list, of distinct splines, of notes, and of bytes of text;
+//          metres per unit, a double
+//     128  for each entry: its spline
+//          for each note: its entity type, line and reason
+//          where each text ends, counted from the start of the texts: the names, then the texts of the notes
 //          the texts
 //          the splines: see spline_table.h
 //
 // All numbers have 64 bits. Lists of the same splines, names, notes and unit have the same bytes.
 class ListBytes {
 public:
-    // The model has to outlive this.
+    // The model must outlive this object.
     explicit ListBytes(const model::Model &model);
 
     [[nodiscard]] size_t size() const noexcept { return size_; }
-    // Precondition: `out` has that size.
+    // Precondition: `out` has size() bytes.
     void write(std::span<unsigned char> out) const noexcept;
 
 private:
@@ -34,7 +35,7 @@ private:
     size_t size_;
 };
 
-// Throws what ByteReader and spline_from() do, and Status::syntax, factor for numbers that no list has.
+// Throws what ByteReader and spline_from() throw, and Status::syntax or factor for numbers that no list has.
 model::Model list_from(std::span<const unsigned char> bytes);
 
 } // namespace nrb::io

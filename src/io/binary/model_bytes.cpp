@@ -65,7 +65,7 @@ size_t ModelBytes::count_in_layers() const noexcept {
 }
 
 void ModelBytes::add_edges() {
-    std::vector<std::vector<int64_t>> first; // of each loop of each face, among the curves of all
+    std::vector<std::vector<int64_t>> first; // for each loop of each face: its first curve among all
     int64_t next = 0;
     for (const model::ModelFace &face : model_.faces) {
         first.emplace_back();
@@ -213,7 +213,7 @@ ModelSizes sizes_from(ByteReader &reader) {
     return sizes;
 }
 
-// Uses that lead into a part from itself.
+// Throws Status::syntax if a chain of uses places a part in itself.
 void check_acyclic(const std::vector<model::Use> &uses, int64_t parts) {
     std::vector<model::Use> inner;
     std::copy_if(uses.begin(), uses.end(), std::back_inserter(inner),
@@ -227,7 +227,7 @@ void check_acyclic(const std::vector<model::Use> &uses, int64_t parts) {
     }
 }
 
-// The parts of a body, in their order.
+// Reads a model. The constructor takes the parts of the body in their order, which is that of the members.
 class ModelParser {
 public:
     explicit ModelParser(std::span<const unsigned char> bytes)
@@ -305,7 +305,7 @@ private:
             face.against = (flags & normal_against) != 0;
             face.in_void = (flags & in_void) != 0;
             const std::array<double, 3> colour = next_colour();
-            // Each solid has a face.
+            // There are no more solids than faces, since each solid has a face.
             face.solid = index_from(attributes_, -1, sizes_.faces.faces, "the solid of a face");
             if ((flags & has_colour) != 0) {
                 face.colour = colour;
@@ -327,7 +327,7 @@ private:
                  static_cast<long long>(left_in_layers_));
         }
     }
-    // Rising.
+    // The layers of the next face or spline, ascending.
     std::vector<int64_t> next_layers() {
         const int64_t count = index_from(layer_counts_, 0, left_in_layers_ + 1, "a number of layers");
         left_in_layers_ -= count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A model as bytes.
+// The binary form of a model.
 #pragma once
 
 #include "io/binary/face_table.h"
@@ -11,28 +11,29 @@ namespace nrb::io {
 
 // The body, each part at a multiple of 64 bytes:
 //
-//     64   numbers of named splines, notes, parts, uses, faces, loops, their curves, edges, vertices, pieces of curves, shapes of
-//          curves, shapes of surfaces, bytes of text, splines that differ, layers, places in layers; metres per unit, a double
-//     256  which spline each named one is
-//          of each note its entity type, line and reason
-//          of each use: its parent or -1, its part, and twelve numbers of its placement
-//          of each face: its shape or -1, its part, flags: 1 the normal outwards is against that of the surface, 2 it has a colour,
-//              4 it bounds a void; red, green, blue; the number of its solid or -1
-//          of each face, then of each named spline, in how many layers it is; then in which ones
+//     64   numbers of named splines, notes, parts, uses, faces, loops, curves of loops, edges, vertices,
+//          pieces of curves, curve shapes, surface shapes, bytes of text, distinct splines, layers,
+//          memberships in layers; metres per unit, a double
+//     256  for each named spline: its spline
+//          for each note: its entity type, line and reason
+//          for each use: its parent or -1, its part, the twelve numbers of its placement
+//          for each face: its shape or -1; its part; flags: 1 the outer normal is opposite to that of the
+//              surface, 2 it has a colour, 4 it bounds a void; red, green, blue; its solid or -1
+//          for each face, then for each named spline: the number of its layers; then these layers
 //          the faces: see face_table.h
-//          of each of their curves the edge of the model, -1 if it has none
-//          of each edge: its curve, its shape or -1, two vertices or -1, its part
-//          the vertices, three numbers each
+//          for each curve of their loops: its edge in the model or -1
+//          for each edge: its curve, its shape or -1, its two vertices or -1, its part
+//          for each vertex: its three coordinates
 //          the shapes: see shape_table.h
-//          the texts: names of splines, words of notes, names of parts, uses, faces and layers
+//          the texts: names of splines, texts of notes, names of parts, uses, faces and layers
 //          the splines: see spline_table.h
 class ModelBytes {
 public:
-    // The model has to outlive this.
+    // The model must outlive this object.
     explicit ModelBytes(const model::Model &model);
 
     [[nodiscard]] size_t size() const noexcept { return size_; }
-    // Precondition: `out` has that size.
+    // Precondition: `out` has size() bytes.
     void write(std::span<unsigned char> out) const noexcept;
 
 private:
@@ -56,12 +57,13 @@ private:
     Texts texts_;
     std::vector<int64_t> named_;
     std::vector<int64_t> face_shapes_;
-    std::vector<int64_t> coedge_edges_; // of all curves of all faces
+    std::vector<int64_t> coedge_edges_; // for each curve of all loops
     std::vector<EdgeEntry> edges_;
     size_t size_;
 };
 
-// Throws what ByteReader, spline_from(), FaceReader and ShapeReader do, and Status::syntax, factor for numbers that no model has.
+// Throws what ByteReader, spline_from(), FaceReader and ShapeReader throw, and Status::syntax, factor, axes
+// or dimension for numbers that no model has.
 model::Model model_from(std::span<const unsigned char> bytes);
 
 } // namespace nrb::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shapes of each kind hold, and how many numbers they take in a body.
+// Which fields shapes of each kind have, and how many numbers of 64 bits they take in a body.
 #pragma once
 
 #include "model/shapes/surface_shape.h"

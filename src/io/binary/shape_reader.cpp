@@ -17,9 +17,9 @@ namespace {
 using model::CurveShape;
 using model::SurfaceShape;
 
-// Shapes within shapes: whatever follows them calls itself as often.
+// The deepest nesting of shapes. It bounds the depth of recursion of all functions that follow shapes.
 constexpr int deepest = 64;
-// Axes of a frame are unit vectors at right angles, to rounding.
+// How far the axes of a frame may be from unit vectors at right angles: rounding.
 constexpr double frame_error = 1e-12;
 
 Vector3 vector_from(ByteReader &reader, const char *what) {
@@ -45,7 +45,8 @@ void check_frame(const build::Placement &place) {
     }
 }
 
-// The third axis is along the direction given for it; of the one given for the first axis, that is the part across. 0: none is given.
+// Checks the directions of which the frame was made; a direction that is 0 was not given. The third axis is
+// along given_axis. The first axis is along the part of given_x that is perpendicular to the third axis.
 void check_given(const build::Placement &place) {
     const Vector3 &axis = place.given_axis, &way = place.given_x;
     const double tilt = largest(axis) > 0 ? largest(unit(axis) - place.z) : 0;

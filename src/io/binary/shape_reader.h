@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shapes of a body, from the parts that shape_table.h describes.
+// Reads the shapes of a body, from the parts that shape_table.h describes.
 #pragma once
 
 #include "io/binary/shape_table.h"
@@ -8,13 +8,13 @@ namespace nrb::io {
 
 class ShapeReader {
 public:
-    // Passes over the parts. Throws Status::truncated.
+    // Takes the three parts from `reader`, which moves on past them. Throws Status::truncated.
     ShapeReader(ByteReader &reader, const ShapeSizes &sizes);
 
-    // Makes them. Throws Status::syntax for numbers that no shape has, length, direction; axes, dimension for splines of another
-    // kind.
+    // Makes all shapes. Throws Status::syntax, length, direction, empty_domain or angle for numbers that no
+    // shape has; axes or dimension for splines and curves of a wrong kind.
     void make(const std::vector<SplinePtr> &splines);
-    // Null for -1. Precondition: an index below the number of them.
+    // The shape with an index; null for -1. Precondition: the index is below the number of such shapes.
     [[nodiscard]] model::CurveShapePtr curve(int64_t index) const;
     [[nodiscard]] model::SurfaceShapePtr surface(int64_t index) const;
 
@@ -28,7 +28,7 @@ private:
     int64_t pieces_left_;
     std::vector<model::CurveShapePtr> curves_;
     std::vector<model::SurfaceShapePtr> surfaces_;
-    std::vector<int> curve_depths_, surface_depths_; // how many shapes lie in one another
+    std::vector<int> curve_depths_, surface_depths_; // for each shape: how deeply others are nested in it
 };
 
 } // namespace nrb::io

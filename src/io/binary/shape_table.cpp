@@ -25,7 +25,7 @@ void put_place(ByteWriter &writer, const build::Placement &place, bool given) no
     }
 }
 
-// What the kind has no use for is 0.
+// `given`: how many sizes the kind uses. The others are written as 0.
 void put_sizes(ByteWriter &writer, const double (&sizes)[2], int given) noexcept {
     writer.put(given > 0 ? sizes[0] : 0);
     writer.put(given > 1 ? sizes[1] : 0);

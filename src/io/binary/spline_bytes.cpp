@@ -13,7 +13,7 @@ namespace {
 constexpr uint64_t periodic_flag = 1;
 constexpr size_t at_knots = 128;
 
-// Where the parts of a spline are.
+// Where the parts of a spline begin, and its size.
 struct Places {
     Places(size_t knots, size_t points, size_t weights) noexcept
         : at_points(at_knots + aligned(8 * knots)), at_weights(at_points + aligned(8 * points)),
@@ -39,7 +39,7 @@ struct Axis {
     bool periodic;
 };
 
-// The checks are those of the arguments of nurbs_create().
+// Makes the same checks as nurbs_create() does for its arguments.
 Axis axis_from(ByteReader &reader, int k) {
     const int64_t count = reader.take_integer();
     const uint64_t word = reader.take(), flags = word >> 32;
@@ -52,7 +52,7 @@ Axis axis_from(ByteReader &reader, int k) {
     return {count, degree, flags != 0};
 }
 
-// Those of all axes stand before the places.
+// The axes of a spline. Three axes are stored, of which the unused ones are skipped.
 std::vector<Axis> axes_from(ByteReader &reader, int axes) {
     check_axes(axes);
     reader.need(2 * uint64_t{max_axes});

@@ -9,7 +9,8 @@ namespace nrb::io {
 
 namespace {
 
-// Of the points as they are in memory: it leaves this machine never.
+// The checksum of the points as they are in memory. It may depend on the byte order of the machine, since it
+// is never stored.
 uint64_t checksum_of_points(const Spline &spline) noexcept {
     const std::span<const double> points = spline.points();
     return crc64({reinterpret_cast<const unsigned char *>(points.data()), points.size_bytes()});

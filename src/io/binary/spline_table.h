@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The splines in the body of a list, or of any other handle that has several: each stands there once, however often it
-// occurs, as a whole with a header of its own, which can be cut out and read alone.
+// The splines in the body of a list, or of any other handle that has several. Each distinct spline is stored
+// once, however often it occurs, as a complete handle with its own header, which can be cut out and read
+// alone.
 //
-//     where the splines begin, from the start of the header of what holds them (64 bits each)
+//     where each spline begins, counted from the start of the whole handle (64 bits each)
 //     the splines, each at a multiple of 64 bytes
 #pragma once
 
@@ -15,13 +16,14 @@ namespace nrb::io {
 
 class SplineTable {
 public:
-    // The index of a spline. Those whose bytes are the same have the same index; others are counted as they come.
+    // The index of a spline. Splines with the same bytes share an index; new ones are numbered in the order
+    // in which they are added.
     int64_t add(const SplinePtr &spline);
 
     [[nodiscard]] int64_t count() const noexcept { return std::ssize(splines_); }
-    // From the beginning of a part to its end.
+    // The size from the start of the part to its end, padding included.
     [[nodiscard]] size_t size_in_bytes() const noexcept;
-    // Where a part begins.
+    // Precondition: the writer is at the start of a part.
     void write(ByteWriter &writer) const noexcept;
 
 private:
@@ -32,7 +34,8 @@ private:
     std::unordered_multimap<uint64_t, int64_t> by_checksum_;
 };
 
-// The splines of a table of `count`, at the beginning of a part. Throws what spline_from() does, and Status::syntax.
+// Reads a table of `count` splines, at the start of a part. Throws what spline_from() throws, and
+// Status::syntax.
 std::vector<SplinePtr> splines_from(ByteReader &reader, int64_t count);
 
 } // namespace nrb::io

@@ -23,7 +23,7 @@ int64_t checked(int64_t value, int64_t least, int64_t most, const char *what) {
     return value;
 }
 
-// The breaks of an axis, increasing.
+// Reads the breaks of an axis. Throws Status::syntax unless each is larger than the one before.
 KnotVectorPtr breaks_from(ByteReader &reader, int64_t count, int axis) {
     reader.need(static_cast<uint64_t>(count));
     std::vector<double> breaks;
@@ -42,7 +42,7 @@ struct Sizes {
     std::vector<int64_t> break_counts;
 };
 
-// Degrees into the form.
+// Reads the sizes, and stores the degrees in the form.
 Sizes sizes_from(ByteReader &reader, int axes, fit::StatisticsForm &form) {
     Sizes sizes{reader.take_integer(), reader.take_integer(), {}};
     for (int k = 0; k < axes; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics as bytes.
+// The binary form of statistics.
 #pragma once
 
 #include "fit/statistics/statistics.h"
@@ -7,20 +7,21 @@
 
 namespace nrb::io {
 
-// The numbers of the header are axes, dim, and the exponents of the scales of values and of weights. The body, each part at a
-// multiple of 64 bytes:
+// The numbers of the header are axes, dim, and the exponents of the scales of values and of weights. The
+// body, each part at a multiple of 64 bytes:
 //
-//     number of cells with data, of sums of a cell, then of each axis its degree and the number of its breaks
-//     the breaks of all axes, one after the other
-//     the cells, rising; their counts
+//     number of cells with data, number of sums of a cell; for each axis its degree and the number of its
+//         breaks
+//     the breaks of all axes, one axis after the other
+//     the indices of the cells with data, ascending; the number of data in each of them
 //     the sums of all cells, 24 bytes each, in two's complement
 //
-// The same statistics have the same bytes, on every machine.
+// The same statistics have the same bytes on every machine.
 size_t size_in_bytes(const fit::Statistics &statistics) noexcept;
-// Precondition: `out` has that size.
+// Precondition: `out` has size_in_bytes() bytes.
 void write_bytes(const fit::Statistics &statistics, std::span<unsigned char> out) noexcept;
 
-// Throws what ByteReader does, and Status::syntax for numbers that no statistics have.
+// Throws what ByteReader throws, and Status::syntax for numbers that no statistics have.
 fit::Statistics statistics_from(std::span<const unsigned char> bytes);
 
 } // namespace nrb::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texts in a body, one after the other, and the notes that have some.
+// The texts in a body, one after the other, and the notes to which some of them belong.
 //
 //     where each text ends, counted from the start of the texts (64 bits each)
 //     the texts
@@ -14,13 +14,13 @@ namespace nrb::io {
 
 class Texts {
 public:
-    // The text has to outlive this.
+    // The text must outlive this object.
     void add(std::string_view text) {
         texts_.push_back(text);
         bytes_ += text.size();
     }
     [[nodiscard]] size_t bytes() const noexcept { return bytes_; }
-    // From the beginning of a part to its end.
+    // The size from the start of the first part to the end of the last one, padding included.
     [[nodiscard]] size_t size_in_bytes() const noexcept {
         return aligned(8 * texts_.size()) + aligned(bytes_);
     }
@@ -31,12 +31,13 @@ private:
     size_t bytes_ = 0;
 };
 
-// `count` texts of `bytes` in all, at the beginning of a part. Throws Status::syntax, truncated.
+// Reads `count` texts, which have `bytes` bytes in all, at the start of a part. Throws Status::syntax or
+// truncated.
 std::vector<std::string> texts_from(ByteReader &reader, int64_t count, int64_t bytes);
 
-// Of each note its entity type, line and reason; the words are in texts.
+// Writes the entity type, line and reason of each note; its text is one of the texts.
 void write_notes(const std::vector<model::Note> &notes, ByteWriter &writer) noexcept;
-// Throws Status::syntax, truncated.
+// Reads the same, without the texts. Throws Status::syntax or truncated.
 std::vector<model::Note> notes_from(ByteReader &reader, int64_t count);
 
 } // namespace nrb::io

@@ -14,13 +14,14 @@ namespace {
 
 using model::ParameterLaw;
 
-// Of curves that are fitted, as a part of the domain.
+// The tolerance of curves that are fitted, as a share of the domain.
 constexpr double share_of_domain = 0x1p-30;
-// Curves that go around an axis more often than this are a mistake, and would take long.
+// A curve that goes around an axis more often than this is an error in the file, and would take long to fit.
 constexpr double most_turns = 64;
-// What seven decimals leave open.
+// The uncertainty of a number that is written with seven decimals.
 constexpr double share_of_decimals = 0x1p-24;
 
+// The map from the parameters of a shape to those of its spline.
 class ParameterChart {
 public:
     ParameterChart(const model::SurfaceShape &shape, const Spline &spline)
@@ -29,7 +30,8 @@ public:
     [[nodiscard]] bool identity() const noexcept {
         return laws_[0] == ParameterLaw::linear && laws_[1] == ParameterLaw::linear;
     }
-    // Behind the end of a turn the next copy of the domain follows.
+    // The spline parameter for the parameter t of axis k. Beyond the ends of an axis that makes a full turn,
+    // copies of the domain follow each other.
     [[nodiscard]] double place(size_t k, double t) const noexcept {
         const KnotVector &knots = spline_.axis(static_cast<int>(k));
         const Interval domain = knots.domain();
@@ -61,7 +63,7 @@ private:
     std::array<ParameterLaw, 2> laws_;
 };
 
-// Along one of the axes, from end to end.
+// Whether the curve is a single segment along one of the axes.
 bool straight_along_axis(const Spline &curve) noexcept {
     return curve.point_count() == 2 && (curve.coordinate(0, 0) == curve.coordinate(1, 0) ||
                                         curve.coordinate(0, 1) == curve.coordinate(1, 1));

@@ -12,11 +12,12 @@
 namespace nrb::io {
 namespace {
 
-// Of curves that are made, as a part of the size of the surface.
+// The precision of curves that are made, as a share of the size of the surface.
 constexpr double share_of_precision = 0x1p-22;
-// What files may state but not hold: coordinates are written with fewer digits.
+// The least tolerance and precision, as a share of the size of the surface. Files may state less, but cannot
+// keep it, since they give coordinates with fewer digits.
 constexpr double share_of_rounding = 0x1p-36;
-// Doubles that a piece of a loop takes in the maps of its face.
+// The doubles that a piece of a loop takes in the maps of its face.
 constexpr int64_t size_of_a_piece = 64;
 
 std::vector<double> point_of(const Spline &spline, const double *params) {
@@ -38,7 +39,7 @@ face::FacePtr face_as(face::FaceParts parts, bool as_oriented) {
     return std::make_shared<const face::Face>(std::move(parts), nullptr);
 }
 
-// Null where the loops have no common inside.
+// Null if the loops have no common inside.
 face::FacePtr face_if_oriented(const face::FaceParts &parts, bool as_oriented) {
     try {
         return face_as(parts, as_oriented);
@@ -59,8 +60,8 @@ bool is_offset(const model::SurfaceShape &surface) noexcept {
 
 model::MadeSurface surface_around(Limits &limits, const model::SurfaceShape &surface,
                                   const std::vector<Vector3> &points, double stated) {
-    constexpr double margin = 1.0 / 64; // of the size of the boundary
-    constexpr double share = 0.25;      // of the tolerance, most of which is left to others
+    constexpr double margin = 1.0 / 64; // of the extent of the points
+    constexpr double share = 0.25;      // of the tolerance; the rest is left to other errors
     const model::Rectangle range = model::bounded(surface) ? model::natural_range(surface)
                                                            : model::range_around(surface, points, margin);
     return model::made_surface(surface, range,

@@ -10,9 +10,9 @@ namespace nrb::io {
 
 namespace {
 
-constexpr double share = 0.25;              // of the tolerance, most of which is left to others
-constexpr double share_of_size = 0x1p-30;   // in the plane
-constexpr int64_t doubles_of_a_piece = 128; // while it is looked for
+constexpr double share = 0.25;              // of the tolerance; the rest is left to other errors
+constexpr double share_of_size = 0x1p-30;   // of a curve in the plane
+constexpr int64_t doubles_of_a_piece = 128; // while the offset is computed
 
 double tolerance_for(const model::CurveShape &basis, double stated) {
     if (basis.place.dim == 2 && model::bounded(basis)) {

@@ -9,15 +9,18 @@
 
 namespace nrb::io {
 
-// The offset within a quarter of the tolerance that the file states, 0 if it states none; in the plane, where that is one of
-// parameters, within what is next to nothing of the size of the curve.
+// The offset of a curve within a quarter of the tolerance that the file states. `stated`: that tolerance; 0:
+// none, and then usual_tolerance counts. A bounded curve in the plane lies in a plane of parameters; its
+// tolerance is a share of its size near rounding.
 model::MadeCurve stated_offset(Limits &limits, const model::CurveShapePtr &basis,
                                const fit::CurveOffset &offset, double stated);
-// The same of offsets of each other about one reference direction, from the innermost one on.
+// The same for a chain of offsets, each of the one before, all about one reference direction. `distances`:
+// from the innermost offset on.
 model::MadeCurve stated_offset(Limits &limits, const model::CurveShapePtr &basis,
                                std::span<const double> distances, const Vector3 &reference, double stated);
 
-// What a note says on an offset that is not the one of the file, or has places where it turns around; empty for others.
+// The text of a note on an offset that is not exactly that of the file, or that runs backwards in places;
+// otherwise empty.
 std::string note_on(const model::MadeCurve &made);
 
 } // namespace nrb::io

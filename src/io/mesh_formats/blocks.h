@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of many numbers, written in large blocks.
+// Output of many numbers, in large blocks.
 #pragma once
 
 #include "io/file.h"
@@ -14,8 +14,8 @@
 
 namespace nrb::io {
 
-// A buffer before a sink. Numbers as bytes have the lowest byte first, on every machine; as digits they have as many as name
-// them, with a point in every locale.
+// A buffer in front of a sink. Binary numbers are little-endian on every machine. Decimal numbers have the
+// shortest digits that identify the value, with a point in every locale.
 class Blocks {
 public:
     explicit Blocks(const ByteSink &sink)
@@ -39,20 +39,20 @@ public:
         char *const start = room(most_digits);
         used_ += static_cast<size_t>(std::to_chars(start, start + most_digits, value).ptr - start);
     }
-    // With blanks between them.
+    // Decimal numbers, separated by blanks.
     template <class Number, class... Numbers>
     void row(Number first, Numbers... others) {
         digits(first);
         ((text(" "), digits(others)), ...);
     }
 
-    // What is in the buffer goes on. Nothing does by itself when this is destroyed.
+    // Passes the contents of the buffer to the sink. The destructor does not do so.
     void flush();
 
 private:
     static constexpr size_t block = size_t{1} << 18, most_digits = 32;
 
-    // Precondition: no more than a block.
+    // Memory for `size` bytes in the buffer. Precondition: size <= block.
     char *room(size_t size) {
         if (block - used_ < size) {
             flush();
@@ -62,11 +62,11 @@ private:
     void turn_around(size_t size) noexcept;
 
     const ByteSink &sink_;
-    std::unique_ptr<char[]> buffer_; // not filled with zeros, which would take longer than small files
+    std::unique_ptr<char[]> buffer_; // not zeroed, which would take longer than writing a small file
     size_t used_ = 0;
 };
 
-// What write(blocks) writes, as a source.
+// A source that gives what write(blocks) writes.
 template <class Write>
 ByteSource source_of(Write write) {
     return [write = std::move(write)](const ByteSink &sink) {
@@ -76,7 +76,7 @@ ByteSource source_of(Write write) {
     };
 }
 
-// How many bytes a source gives.
+// The number of bytes that a source gives.
 int64_t size_of(const ByteSource &source);
 
 } // namespace nrb::io

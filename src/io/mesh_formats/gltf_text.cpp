@@ -12,10 +12,10 @@ namespace nrb::io {
 
 namespace {
 
-// Numbers of the standard: what components are, and what views are for.
+// Constants of the standard: types of components, and targets of buffer views.
 constexpr int float_component = 5126, index_component = 5125, vertex_target = 34962, index_target = 34963;
 
-// From sRGB, which screens take, to the amount of light that glTF wants (IEC 61966-2-1), to 1e-6.
+// From sRGB, as for screens, to the linear amount of light that glTF wants (IEC 61966-2-1), rounded to 1e-6.
 double amount_of_light(double value) noexcept {
     const double x = std::clamp(value, 0.0, 1.0);
     const double light = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    // The whole is node 0, instance i node i + 1.
+    // Node 0 is the whole; node i + 1 is instance i.
     void write_nodes() {
         std::vector<std::vector<int64_t>> children(instances_.size() + 1);
         for (size_t i = 0; i < instances_.size(); ++i) {
@@ -66,7 +66,7 @@ private:
         });
     }
 
-    // (x, y, z) to metres (x, z, -y), column by column.
+    // The matrix that maps (x, y, z) to (x, z, -y) in metres, column by column.
     [[nodiscard]] std::array<double, 16> whole() const noexcept {
         const double m = metres_;
         return {m, 0, 0, 0, 0, 0, -m, 0, 0, m, 0, 0, 0, 0, 0, 1};
@@ -94,7 +94,7 @@ private:
         });
     }
 
-    // Column by column, the shift in the unit of the points.
+    // The matrix of a placement, column by column, with the translation in the unit of the points.
     [[nodiscard]] std::array<double, 16> matrix_of(int64_t use,
                                                    const std::array<double, 12> &placement) const {
         const Columns m = columns_of(placement);
@@ -134,7 +134,7 @@ private:
         });
     }
 
-    // Three accessors each, one after the other.
+    // Each primitive has three consecutive accessors: points, normals and indices.
     void write_primitive(const Primitive &primitive) {
         json_.object([&] {
             json_.key("attributes").object([&] {
@@ -146,7 +146,7 @@ private:
         accessor_ += 3;
     }
 
-    // Which triangles stand for which face.
+    // Writes which triangles belong to which face.
     void write_faces(const Primitive &primitive) {
         int64_t first = 0;
         json_.key("faces").array([&] {
@@ -203,7 +203,7 @@ private:
         json_.pair("count", count).pair("type", type);
     }
 
-    // The shortest digits of a float are those of another double.
+    // Converts to double, since the shortest digits of a float identify another double.
     static std::array<double, 3> exact(const std::array<float, 3> &x) noexcept { return {x[0], x[1], x[2]}; }
 
     void write_views() {
@@ -227,7 +227,7 @@ private:
         });
     }
 
-    // -1: of a part without triangles.
+    // The number of the mesh of each part; -1 for a part without triangles.
     static std::vector<int64_t> numbers_of_meshes(const GltfScene &scene) {
         std::vector<int64_t> numbers;
         int64_t next = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON, piece by piece.
+// Writes JSON text piece by piece.
 #pragma once
 
 #include "io/mesh_formats/text.h"
@@ -13,10 +13,10 @@
 
 namespace nrb::io {
 
-// Commas come by themselves. The writer closes what it opens.
+// Inserts commas, and closes the objects and arrays that it opens.
 class JsonWriter {
 public:
-    // A value in an array, or behind a key. Numbers are finite.
+    // A value in an array or after a key. Precondition: numbers are finite.
     JsonWriter &operator<<(std::string_view text) { return raw(json_text(text)); }
     JsonWriter &operator<<(const char *text) { return *this << std::string_view(text); }
     JsonWriter &operator<<(const std::string &text) { return *this << std::string_view(text); }
@@ -86,7 +86,7 @@ private:
     }
 
     std::string text_;
-    bool first_ = true; // whether nothing stands before the next value
+    bool first_ = true; // whether no comma belongs before the next value
 };
 
 } // namespace nrb::io

@@ -11,7 +11,7 @@ namespace nrb::io {
 
 namespace {
 
-// What has no colour is grey.
+// The grey of faces without a colour.
 constexpr double no_colour = 0.8;
 
 } // namespace

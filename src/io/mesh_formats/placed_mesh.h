@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh as files show it: its parts where they stand in the whole, in the unit of the file, seen from outside.
+// A mesh as files show it: all instances of its parts, placed in the whole, in the unit of the file, with
+// triangles and normals that face outwards.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -18,7 +19,8 @@ namespace nrb::io {
 using mesh::Mesh;
 using mesh::MeshFace;
 
-// Normals of vertices: of the surfaces, on the outside. Where these have none, as at some poles, that of the triangles around.
+// The outer normals at vertices: those of the surfaces. Where a surface has none, as at some poles, the
+// normalized sum of the unit normals of the triangles around the vertex, or Z if that sum vanishes.
 class OuterNormals {
 public:
     explicit OuterNormals(const Mesh &mesh);
@@ -30,10 +32,10 @@ public:
 
 private:
     const Mesh &mesh_;
-    std::unordered_map<size_t, Vector3> made_; // on the side of the surface's
+    std::unordered_map<size_t, Vector3> made_; // on the side of the normal of the surface
 };
 
-// Corners of a triangle, as vertices, counterclockwise as it is seen from outside.
+// The corners of a triangle, as numbers of vertices, counterclockwise as seen from outside.
 inline std::array<size_t, 3> outer_corners(const Mesh &mesh, const MeshFace &face, size_t triangle,
                                            bool mirrored) noexcept {
     const auto &[a, b, c] = mesh.triangles[face.first_triangle + triangle];
@@ -41,7 +43,7 @@ inline std::array<size_t, 3> outer_corners(const Mesh &mesh, const MeshFace &fac
     return {static_cast<size_t>(a), static_cast<size_t>(turn ? c : b), static_cast<size_t>(turn ? b : c)};
 }
 
-// A part in one of the places where it stands.
+// An instance of a part: the part in one of its placements.
 class PlacedPart {
 public:
     PlacedPart(const Mesh &mesh, const std::vector<model::Instance> &instances, size_t index, double factor)
@@ -68,7 +70,8 @@ public:
     int64_t part, use;
 };
 
-// Throws Status::count if there are no triangles, and what instances_of() and Placement do. Refers to the mesh.
+// Refers to the mesh, which must outlive it. The constructor throws Status::count if there are no triangles,
+// and what instances_of() and Placement throw.
 class PlacedMesh {
 public:
     // `factor`: from the unit of the mesh to that of the file.
@@ -77,7 +80,7 @@ public:
     [[nodiscard]] const Mesh &mesh() const noexcept { return *mesh_; }
     [[nodiscard]] double factor() const noexcept { return factor_; }
     [[nodiscard]] const OuterNormals &normals() const noexcept { return normals_; }
-    // Those with triangles, in the order of instances.
+    // The instances that have triangles, in the order of instances_of().
     [[nodiscard]] const std::vector<PlacedPart> &parts() const noexcept { return parts_; }
     [[nodiscard]] const std::vector<const MeshFace *> &faces_of(int64_t part) const noexcept {
         return faces_[static_cast<size_t>(part)];
@@ -89,7 +92,7 @@ public:
     [[nodiscard]] int64_t vertex_count() const noexcept { return vertices_; }
     [[nodiscard]] int64_t triangle_count() const noexcept { return triangles_; }
 
-    // f(part, face) for the faces of all placed parts.
+    // Calls f(part, face) for the faces of all instances.
     template <class F>
     void each_face(F &&f) const {
         for (const PlacedPart &part : parts_) {
@@ -98,7 +101,7 @@ public:
             }
         }
     }
-    // f(part, face, vertex) in the order in which each_triangle() numbers them.
+    // Calls f(part, face, vertex) for all vertices, in the order in which each_triangle() numbers them.
     template <class F>
     void each_vertex(F &&f) const {
         each_face([&](const PlacedPart &part, const MeshFace &face) {
@@ -107,7 +110,8 @@ public:
             }
         });
     }
-    // f(part, face, corners, shift): vertex + shift is its number among all of each_vertex().
+    // Calls f(part, face, corners, shift) for all triangles. A corner plus `shift` is its number among the
+    // vertices of each_vertex().
     template <class F>
     void each_triangle(F &&f) const {
         int64_t base = 0;
@@ -124,14 +128,14 @@ private:
     const Mesh *mesh_;
     double factor_;
     OuterNormals normals_;
-    std::vector<std::vector<const MeshFace *>> faces_; // of each part
+    std::vector<std::vector<const MeshFace *>> faces_; // for each part
     std::vector<PlacedPart> parts_;
     int64_t vertices_ = 0, triangles_ = 0;
 };
 
 using PlacedMeshPtr = std::shared_ptr<const PlacedMesh>;
 
-// Of length 1, or 0 where the triangle has none.
+// The unit normal of a triangle; 0 if the triangle has none.
 inline Vector3 triangle_normal(const Vector3 &a, const Vector3 &b, const Vector3 &c) noexcept {
     Vector3 across = cross(b - a, c - a);
     if (!in_range(dot(across, across))) {
@@ -140,10 +144,10 @@ inline Vector3 triangle_normal(const Vector3 &a, const Vector3 &b, const Vector3
     return dot(across, across) > 0 ? unit(across) : Vector3{};
 }
 
-// The name of a use, or else of its part.
+// The name of a use or, if that is empty, of its part.
 const std::string &name_of(const Mesh &mesh, int64_t use);
 
-// 0 to 255.
+// Red, green and blue from 0 to 255; grey for a face without a colour.
 std::array<uint8_t, 3> colour_bytes(const MeshFace &face) noexcept;
 
 } // namespace nrb::io

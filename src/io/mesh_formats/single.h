@@ -21,7 +21,7 @@ inline Single3 single(const Vector3 &x) noexcept {
          Number(x.x).text, Number(x.y).text, Number(x.z).text);
 }
 
-// Throws Status::not_representable for what overflows.
+// Throws Status::not_representable if a coordinate overflows.
 inline Single3 checked_single(const Vector3 &x) {
     const Single3 rounded = single(x);
     if (!(std::isfinite(rounded[0]) && std::isfinite(rounded[1]) && std::isfinite(rounded[2]))) {

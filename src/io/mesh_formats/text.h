@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names in files of meshes.
+// Names as text in mesh files.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace nrb::io {
 
-// A JSON string, with its quotes. Bytes that are no UTF-8 are taken for ISO 8859-1.
+// A JSON string with its quotes. Bytes that are not UTF-8 are taken as ISO 8859-1.
 std::string json_text(std::string_view name);
 
-// A name as one word of a line: blanks, control characters, bytes that are no UTF-8, and what readers take for the start of a comment
-// or for a line that goes on ('#' and a backslash) become '_'.
+// A name as one word of a line. Blanks, control characters, bytes that are not UTF-8, and characters that
+// readers take for the start of a comment or for the continuation of a line ('#' and the backslash) become
+// '_'.
 std::string one_word(std::string_view name);
 
 } // namespace nrb::io

@@ -21,7 +21,8 @@ int64_t bytes_of(const Array &array) noexcept {
     return array.rows * array.components * info_of(array.type).size;
 }
 
-// Sections of arrays, each with the place of its bytes behind the XML. The arrays themselves follow in the same order.
+// Writes the sections of the XML, which say for each array where its bytes are in the data after the XML, and
+// then the arrays in the same order.
 class Sections {
 public:
     explicit Sections(Blocks &out) : out_(out) {}
@@ -43,7 +44,7 @@ public:
         out_.text(">\n");
     }
 
-    // Each with its length before it.
+    // Writes each array after its length in bytes.
     void write_arrays() const {
         for (const Array *array : all_) {
             out_.bytes(static_cast<uint64_t>(bytes_of(*array)));

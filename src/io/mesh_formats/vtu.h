@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unstructured grids as VTK's XML files have them (VTU): points, and cells of any types over them.
+// Unstructured grids in the XML format of VTK (VTU): points, and cells of any types over them.
 #pragma once
 
 #include "io/mesh_formats/blocks.h"
@@ -14,13 +14,14 @@ namespace nrb::io::vtu {
 
 enum class NumberType { uint8, int32, int64, float32, float64 };
 
-// Rows of numbers, one after the other. `write` puts them all to blocks as bytes, the same ones every time.
+// Rows of numbers, one after the other. `write` writes all of them as bytes, the same ones at every call.
 struct Array {
     std::string name;
     NumberType type;
     int64_t components, rows;
     std::function<void(Blocks &)> write;
-    // What the section names as its own: "Normals", "RationalWeights", "HigherOrderDegrees". Empty: nothing.
+    // The attribute of its section that names this array: "Normals", "RationalWeights", "HigherOrderDegrees".
+    // Empty: none.
     std::string role{};
 };
 
@@ -35,7 +36,7 @@ constexpr NumberType type_of() {
     }
 }
 
-// Of numbers that stay where they are until the grid is written.
+// An array of numbers that must not move or change before the grid is written.
 template <class Number>
 Array array_of(std::string name, int64_t components, std::span<const Number> values, std::string role = {}) {
     const auto write = [values](Blocks &out) {
@@ -47,26 +48,26 @@ Array array_of(std::string name, int64_t components, std::span<const Number> val
             write,           std::move(role)};
 }
 
-// The arrays of points and cells.
+// A grid: the arrays of its points and cells.
 struct Grid {
     Array points;       // three components
     Array connectivity; // int64: the points of all cells
-    Array offsets;      // int64: of each cell, where its points end
-    Array types;        // uint8: VTK's numbers of kinds of cells
+    Array offsets;      // int64: for each cell, where its points end
+    Array types;        // uint8: VTK's numbers for the types of cells
     std::vector<Array> point_data{}, cell_data{};
-    // Cells of higher order are numbered as VTK 9 does it, which file version 2.2 says; all others are of version 1.0, which
-    // older readers know.
+    // The points of cells of higher order are numbered as in VTK 9, which version 2.2 of the file format
+    // says. All other grids are written in version 1.0, which older readers know.
     bool higher_order = false;
 };
 
-// VTK's numbers of kinds of cells.
+// VTK's numbers for the types of cells.
 inline constexpr uint8_t triangle = 5, hexahedron = 12, bezier_hexahedron = 79;
 
-// Cells of one type with as many points each: their offsets and types.
+// The offsets and the types of cells of one type with equally many points.
 Array even_offsets(int64_t cells, int64_t points_each);
 Array even_types(int64_t cells, uint8_t type);
 
-// The file: arrays follow the XML as raw bytes.
+// Writes the file, in which the arrays follow the XML as raw bytes.
 void write(const Grid &grid, Blocks &out);
 
 } // namespace nrb::io::vtu

@@ -9,14 +9,14 @@ namespace nrb::io {
 
 namespace {
 
-// A file: a head, and chunks of JSON and of bytes.
+// A file has a header, a chunk of JSON, and a chunk of bytes.
 constexpr uint32_t glb_magic = 0x46546C67, glb_version = 2, json_chunk = 0x4E4F534A, bytes_chunk = 0x004E4942;
 constexpr int64_t head_size = 12, chunk_head_size = 8, chunk_unit = 4;
 
 struct GlbFile {
     PlacedMeshPtr mesh;
     GltfScene scene;
-    std::string json; // padded
+    std::string json; // padded to a multiple of chunk_unit
 
     [[nodiscard]] int64_t buffer_size() const noexcept {
         return 2 * bytes_of_vector * scene.vertices + bytes_of_index * scene.indices;
@@ -26,7 +26,8 @@ struct GlbFile {
     }
 };
 
-// f(face, first) for the faces in the order of the buffer, with the number of its first vertex in its primitive.
+// Calls f(face, first) for the faces in the order of the buffer. `first`: the number of the first vertex of
+// the face in its primitive.
 template <class F>
 void each_scene_face(const GltfScene &scene, F &&f) {
     for (const std::vector<Primitive> &part : scene.parts) {

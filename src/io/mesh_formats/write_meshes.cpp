@@ -10,7 +10,8 @@ namespace nrb::io {
 
 namespace {
 
-// Of doubles as files have them. Placements and units may make them overflow.
+// Checks the points as doubles: placements and units may make them overflow. Throws
+// Status::not_representable.
 void check_points(const PlacedMesh &mesh) {
     mesh.each_vertex([](const PlacedPart &part, const MeshFace &, size_t vertex) {
         if (!std::isfinite(largest(part.point_of(vertex)))) {

@@ -15,7 +15,7 @@ void write_line(std::string_view word, const std::string &name, Blocks &out) {
     out.text("\n");
 }
 
-// Points of the faces of a part, numbered in the order in which triangles need them.
+// The points of the faces of a part, numbered in the order in which the vertices of the faces first use them.
 class PartPoints {
 public:
     explicit PartPoints(const Mesh &mesh) : mesh_(mesh), numbers_(mesh.points.size(), -1) {
@@ -45,11 +45,11 @@ public:
 
 private:
     const Mesh &mesh_;
-    std::vector<int64_t> numbers_; // -1: not in use
+    std::vector<int64_t> numbers_; // -1: not used by the part
     std::vector<int32_t> all_;
 };
 
-// Colours are of a second file, which this one does not have: materials are called by them.
+// OBJ keeps colours in a second file, which is not written. Instead the name of a material tells its colour.
 std::string material_of(const MeshFace &face) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string name = "colour_";
@@ -60,7 +60,7 @@ std::string material_of(const MeshFace &face) {
     return name;
 }
 
-// Numbers of points and normals go on from part to part, from 1.
+// The numbers of points and normals begin at 1 and continue from part to part.
 class ObjText {
 public:
     ObjText(const PlacedMesh &mesh, Blocks &out)

@@ -19,7 +19,8 @@ void write_ply_head(const PlacedMesh &mesh, Blocks &out) {
     out.text("\nproperty list uchar int vertex_indices\nend_header\n");
 }
 
-// Each belongs to one face: more programs know colours of vertices than of triangles.
+// Colours are those of vertices, each of which belongs to one face: more programs know colours of vertices
+// than of triangles.
 void write_ply_vertices(const PlacedMesh &mesh, Blocks &out) {
     const bool coloured = mesh.has_colours();
     mesh.each_vertex([&](const PlacedPart &part, const MeshFace &face, size_t vertex) {

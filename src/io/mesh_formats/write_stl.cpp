@@ -9,7 +9,8 @@ namespace {
 constexpr std::string_view stl_header = "Written by libnurbs: triangles in binary STL";
 constexpr size_t stl_header_size = 80;
 
-// f(points, corners) for those whose corners are apart in single precision.
+// Calls f(points, corners) for the triangles whose corners are distinct in single precision. `points`: the
+// corners in double precision.
 template <class F>
 void each_facet(const PlacedMesh &mesh, F &&f) {
     mesh.each_triangle(

@@ -10,7 +10,7 @@ namespace {
 using vtu::Array;
 using vtu::NumberType;
 
-// f(part, face, vertex) puts the row of a vertex to blocks.
+// An array with a row for each vertex, which f(out, mesh, part, face, vertex) writes.
 template <class F>
 Array of_vertices(const PlacedMeshPtr &mesh, const char *name, NumberType type, int64_t components, F f) {
     const auto write = [mesh, f](Blocks &out) {
@@ -21,6 +21,7 @@ Array of_vertices(const PlacedMeshPtr &mesh, const char *name, NumberType type, 
     return {name, type, components, mesh->vertex_count(), write};
 }
 
+// The same for triangles: f(out, mesh, part, face) writes the row of each.
 template <class F>
 Array of_triangles(const PlacedMeshPtr &mesh, const char *name, NumberType type, int64_t components, F f) {
     const auto write = [mesh, f](Blocks &out) {

@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    // What goes wrong with one instance is told, and does not affect the others.
+    // An error in one instance is reported, and does not affect the others.
     template <class Run>
     void guarded(const Instance &instance, Run &&run) {
         try {
@@ -60,7 +60,7 @@ private:
             }
         }
     }
-    // The index of a representation, or -1.
+    // The index in representations_ of the instance with a number; -1 if it is not there.
     [[nodiscard]] int64_t representation(int64_t number) const noexcept {
         const int64_t place = instances_.find(number);
         const auto found = std::lower_bound(representations_.begin(), representations_.end(), place);
@@ -117,7 +117,7 @@ private:
         return numbers_[static_cast<size_t>(index)];
     }
 
-    // Everything below a representation belongs to its part, unless it belongs to one already.
+    // Assigns everything below a representation to its part, unless it belongs to a part already.
     void own() {
         result_.part_of.assign(static_cast<size_t>(instances_.size()), no_part);
         for (size_t i = 0; i < representations_.size(); ++i) {
@@ -138,7 +138,8 @@ private:
         }
     }
 
-    // From the definition of a shape over that of its product to the product.
+    // Names a part after its product, to which references lead from the definition of the shape by way of
+    // that of the product.
     void name_part(const Instance &definition) {
         Attributes attributes(instances_, definition);
         attributes.part("PROPERTY_DEFINITION_REPRESENTATION");
@@ -253,7 +254,8 @@ private:
         }
     }
 
-    // Parts that nothing places, and one for what no representation has.
+    // If faces belong to no representation, adds a part for everything that belongs to none. Then places the
+    // parts that nothing places.
     void stand_alone() {
         const bool stray =
             std::any_of(instances_.all().begin(), instances_.all().end(), [&](const Instance &instance) {
@@ -272,9 +274,9 @@ private:
     const Instances &instances_;
     const std::function<double(int64_t)> &length_;
     std::vector<int64_t> representations_; // places
-    std::vector<int64_t> leaders_;         // of each: another one of the same part, or itself
-    std::vector<int64_t> numbers_;         // of each: its part
-    std::vector<int64_t> sources_;         // of each use: the place of the instance that makes it
+    std::vector<int64_t> leaders_;         // for each: another one of the same part, or itself (union-find)
+    std::vector<int64_t> numbers_;         // for each: its part
+    std::vector<int64_t> sources_;         // for each use: the place of the instance that makes it
     Assembly result_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a file and where they are placed.
+// The assembly structure of a file: its parts, and where they are placed.
 #pragma once
 
 #include "io/step/entities.h"
@@ -11,7 +11,7 @@
 
 namespace nrb::io::step {
 
-// What is wrong with an instance that places a part.
+// An error in an instance of the assembly structure, and the number of that instance.
 struct PlacementDamage {
     int64_t number;
     Status reason;
@@ -21,15 +21,17 @@ struct PlacementDamage {
 struct Assembly {
     std::vector<model::ModelPart> parts;
     std::vector<model::Use> uses;
-    std::vector<int64_t> part_of; // of each instance of geometry or topology, by its place
+    std::vector<int64_t> part_of; // by place: the part of an instance of geometry or topology
     std::vector<PlacementDamage> damages;
 };
 
-// A part is a shape representation, with those that relationships without a transformation equate to it, under the name of its
-// product. Parts are placed by relationships with a transformation and by mapped items; those that nothing places stand in the
-// whole. What belongs to no representation is in a part of its own. Placements are in the unit of the model: `length(place)` is the
-// factor of the unit of an instance. Uses that would put a part into itself are told and left out. Cost: linear in the size of the
-// file, whatever the parts would be if they were multiplied.
+// Reads the parts and their uses. A part is a shape representation, together with those that relationships
+// without a transformation equate to it. It has the name of its product. Parts are placed by relationships
+// with a transformation and by mapped items; a part that nothing places is placed in the whole. If faces
+// belong to no representation, a part of their own is added for all that belongs to none. Placements are in
+// the unit of the model: `length(place)` is the factor to it from the unit of an instance, whose place is its
+// index in Instances::all(). A use that would place a part in itself is left out and reported. Cost: linear
+// in the size of the file, however large the expanded assembly would be.
 Assembly read_assembly(Entities &entities, const std::function<double(int64_t place)> &length);
 
 } // namespace nrb::io::step

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What items consist of.
+// Finds the instances of which items consist.
 #pragma once
 
 #include "io/step/entities.h"
@@ -8,8 +8,9 @@
 
 namespace nrb::io::step {
 
-// The numbers of the instances of some kinds in items, through topology and representations, and through the kinds that are opened
-// besides.
+// The numbers of the instances below some items whose kinds are wanted. The search follows references through
+// topology, shape representations, and the kinds for which `opened` is true. It does not go below an instance
+// that is wanted.
 std::vector<int64_t> found_below(Entities &entities, std::vector<int64_t> items, bool (*wanted)(Kind),
                                  bool (*opened)(Kind));
 

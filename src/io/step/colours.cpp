@@ -38,7 +38,7 @@ public:
                 }
             }
         }
-        // Items with many faces first: those below them overrule.
+        // Items with many faces come first, so that those below them overrule them.
         std::stable_sort(styled_.begin(), styled_.end(),
                          [](const Styled &a, const Styled &b) { return a.faces.size() > b.faces.size(); });
         Colours result;
@@ -77,7 +77,8 @@ private:
         }
         entities_.at(item, attributes, "item");
     }
-    // Through what presents surfaces, in the order of the file; curves have colours of their own.
+    // The first colour below a style, in the order of the file. Curve and point styles are left out, since
+    // their colours are not those of surfaces.
     std::optional<Colour> colour_below(int64_t style) {
         std::vector<int64_t> waiting{style};
         std::set<int64_t> seen;
@@ -125,7 +126,7 @@ private:
         }
         return colour;
     }
-    // The faces that an item consists of; edges and surfaces below faces are not looked at.
+    // The faces of which an item consists. The search does not go on to the edges and surfaces below faces.
     std::vector<int64_t> faces_below(int64_t item) {
         return found_below(
             entities_, {item}, [](Kind kind) { return kind == Kind::face; }, [](Kind) { return false; });

@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint32_t nobody = ~uint32_t{0};
 
-// Gives all geometry and topology below some instances an owner, if it has none.
+// Gives an owner to all geometry and topology below an instance, except to what has one already.
 class Assignment {
 public:
     Assignment(const Instances &instances, std::vector<uint32_t> &owners)
@@ -60,7 +60,8 @@ Contexts::Contexts(Entities &entities) {
     }
 }
 
-// Curves of parameter planes that are those of no surface. (Those of surfaces are read with them.)
+// The places of the sets of curves in parameter planes that belong to no surface. (Curves that belong to a
+// surface are read with it.)
 std::vector<int64_t> Contexts::sets_in_parameters(const Entities &entities) {
     const Instances &instances = entities.instances();
     std::vector<int64_t> sets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of measure: those of a representation context hold for what its representations contain.
+// Units of measure. Those of a representation context hold for everything that its representations contain.
 #pragma once
 
 #include "io/step/entities.h"
@@ -10,12 +10,12 @@
 namespace nrb::io::step {
 
 struct Measures {
-    double metres = 0;      // of a unit of length; 0: not stated
-    double radians = 1;     // of a unit of angle; 1 if it is not stated
+    double metres = 0;      // per unit of length; 0: not stated
+    double radians = 1;     // per unit of angle; 1 if it is not stated
     double uncertainty = 0; // in units of length; 0: not stated
 };
 
-// What is wrong with a context or one of its units.
+// An error in a context or in one of its units, and the number of the context.
 struct ContextDamage {
     int64_t number;
     Status reason;
@@ -26,13 +26,14 @@ class Contexts {
 public:
     explicit Contexts(Entities &entities);
 
-    // The measures of an instance of geometry or topology: those of the context of the first representation that
-    // contains it, by its items and what they name. Where all contexts agree, and for what is in none, those of the
-    // first context. Sets of curves in parameter planes have no unit of length.
+    // The measures of the instance of geometry or topology at a place, its index in Instances::all(). They
+    // are those of the context of the first representation that contains the instance, among its items or
+    // below them. If all contexts agree, and for an instance that no representation contains, they are those
+    // of the first context. Sets of curves in parameter planes have no unit of length.
     [[nodiscard]] const Measures &of(int64_t place) const noexcept {
         return all_[of_instance_.empty() ? 0 : of_instance_[static_cast<size_t>(place)]];
     }
-    // At least one: without any context, nothing is stated.
+    // Never empty: without any context there is one entry, in which nothing is stated.
     [[nodiscard]] const std::vector<Measures> &all() const noexcept { return all_; }
     [[nodiscard]] const std::vector<ContextDamage> &damages() const noexcept { return damages_; }
 
@@ -46,8 +47,8 @@ private:
     void assign(const Entities &entities, const std::vector<int64_t> &bare);
 
     std::vector<Measures> all_;
-    std::vector<uint32_t> of_instance_; // empty: all the same
-    std::vector<Found> found_;          // in the order of the numbers
+    std::vector<uint32_t> of_instance_; // by place: index in all_; empty: all are 0
+    std::vector<Found> found_;          // in ascending order of `context`
     std::vector<ContextDamage> damages_;
 };
 

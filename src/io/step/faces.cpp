@@ -22,7 +22,7 @@ Attributes item(const Instances &instances, const Instance &instance) {
     return attributes;
 }
 
-// The numbers of the curves in domains that belong to the curve of an edge.
+// The numbers of the parameter curves (pcurves) that belong to the curve of an edge.
 std::vector<int64_t> parameter_curves(const Instances &instances, int64_t number) {
     std::vector<int64_t> result;
     const int64_t place = instances.find(number);
@@ -149,7 +149,7 @@ private:
         }
     }
 
-    // The surface; where it has no ends, as much of it as the edges need.
+    // The spline of the surface; if the surface is unbounded, of as much of it as the edges need.
     model::MadeSurface spline_of(const model::SurfaceShape &shape) const {
         std::vector<Vector3> points = poles_;
         for (const Bound &bound : bounds_) {
@@ -160,7 +160,7 @@ private:
         return surface_around(entities_, shape, points, geometry_.units().tolerance);
     }
 
-    // A seam has two, one for each use.
+    // A seam edge has two parameter curves, one for each use.
     void add_parameter_curves(const Spline &surface) {
         std::map<int64_t, int> uses;
         for (Bound &bound : bounds_) {
@@ -172,7 +172,8 @@ private:
             }
         }
     }
-    // Of those that can be read and are under their edge, the one after so many others, or the last one.
+    // Takes one of the parameter curves that can be read and lie under their edge: the one that `others` such
+    // curves precede, or else the last one.
     void add_parameter_curve(const Spline &surface, const EdgeSource &source, int others,
                              face::Coedge &coedge) {
         const Instances &instances = entities_.instances();
@@ -206,7 +207,7 @@ private:
     double tolerance_;
     int64_t surface_number_ = 0;
     std::vector<Bound> bounds_;
-    std::vector<Vector3> poles_; // vertices that bound the face alone
+    std::vector<Vector3> poles_; // vertices that are bounds of the face (VERTEX_LOOP)
 };
 
 } // namespace

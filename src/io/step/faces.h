@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces with the edges and loops that bound them.
+// Reads faces with the edges and loops that bound them.
 #pragma once
 
 #include "io/step/geometry/geometry.h"
@@ -9,7 +9,7 @@
 
 namespace nrb::io::step {
 
-// An edge of the file, and where the model has it.
+// An edge of the file, and its counterpart in the model.
 struct EdgeSource {
     int64_t number;          // of the instance
     int64_t geometry;        // of its curve
@@ -17,7 +17,7 @@ struct EdgeSource {
     int64_t index;           // in the model
 };
 
-// Those that have been read, by rising numbers.
+// The edges that have been read, in ascending order of their numbers.
 class EdgeSources {
 public:
     void add(EdgeSource edge) { edges_.push_back(std::move(edge)); }
@@ -28,17 +28,18 @@ private:
     std::vector<EdgeSource> edges_;
 };
 
-// What the face of an instance is made of. Loops run with the inside to the left of the surface's own normal, whatever side the
-// face has outside.
+// What the face of an instance is made of. The inside is to the left of the loops about the normal of the
+// surface itself, even if the outer normal of the face is the opposite one.
 struct FaceSource {
     model::SurfaceShapePtr shape;
     face::FaceParts parts;
-    bool against;    // the outer normal is against that of the surface
-    double distance; // of the spline from the surface
+    bool against;    // whether the outer normal is opposite to that of the surface
+    double distance; // of the spline from the surface; 0: exact but for rounding
 };
 
-// Curves in the domain that the file gives are taken for surfaces that are splines in the file, where they lie under their edges;
-// all others are left to be made. Throws Status::syntax, unsupported, and what the surface does.
+// Curves in the domain are taken from the file only if the surface is a spline there and they lie under their
+// edges. All others are left to be made. Throws Status::syntax, unsupported, and what reading the surface
+// throws.
 FaceSource read_face(Geometry &geometry, const EdgeSources &sources, const std::vector<model::Edge> &edges,
                      const Instance &face, double tolerance);
 

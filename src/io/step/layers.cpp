@@ -9,7 +9,7 @@
 namespace nrb::io::step {
 namespace {
 
-constexpr int64_t size_of_a_place = 12; // doubles, in its map
+constexpr int64_t size_of_a_place = 12; // in doubles, as an entry of a map
 
 bool lies_in_layers(Kind kind) {
     return kind == Kind::face || is_curve(kind) || is_surface(kind);

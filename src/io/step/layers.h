@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layers of faces, and of curves and surfaces.
+// The layers of faces, curves and surfaces.
 #pragma once
 
 #include "io/step/entities.h"
@@ -11,14 +11,15 @@
 namespace nrb::io::step {
 
 struct Layers {
-    std::vector<std::string> names; // in the order of the instances; equal ones are one
+    std::vector<std::string> names; // in the order of the instances; equal names are one layer
     std::map<int64_t, std::vector<int64_t>>
-        of; // by the numbers of faces, curves and surfaces: indices of names, rising
+        of; // by the numbers of faces, curves and surfaces: indices of names, ascending
 
     [[nodiscard]] std::vector<int64_t> at(int64_t number) const;
 };
 
-// Of PRESENTATION_LAYER_ASSIGNMENTs: those of an item hold for all that it consists of. What cannot be read of one is told.
+// Reads the PRESENTATION_LAYER_ASSIGNMENTs. The layers of an item hold for everything of which it consists.
+// What cannot be read of an assignment is reported.
 Layers read_layers(Entities &entities, const TellError &tell);
 
 } // namespace nrb::io::step

@@ -10,7 +10,7 @@
 namespace nrb::io::step {
 namespace {
 
-// Rounding of the products of two unit vectors.
+// The rounding of products of two unit vectors.
 constexpr double product_rounding = 0x1p-50;
 
 Vector3 unit_vector(const Vector3 &x) noexcept {
@@ -18,8 +18,8 @@ Vector3 unit_vector(const Vector3 &x) noexcept {
     return (1 / std::sqrt(dot(y, y))) * y;
 }
 
-// Directions that are those of a frame of this scale but for rounding stay as they were given, so that a motion which was
-// written is read as it was.
+// Whether two directions are the first and the third axis of a frame of this scale, but for rounding. Such
+// directions are kept as given, so that a motion that was written is read unchanged.
 bool is_frame(const Vector3 &x, const Vector3 &z, double scale) noexcept {
     const double square = scale * scale, most = product_rounding * square;
     return std::fabs(dot(x, x) - square) <= most && std::fabs(dot(z, z) - square) <= most &&
@@ -35,7 +35,8 @@ std::optional<Vector3> read_axis_direction(Entities &entities, Attributes &attri
     return Vector3{direction.x[0], direction.x[1], direction.x[2]};
 }
 
-// base_axis() of ISO 10303-42: the third rules, then the first, and the second says on which side.
+// base_axis() of ISO 10303-42. The third direction gives z, and the part of the first one perpendicular to z
+// gives x. The second one only decides on which side y is.
 Motion axes_of(const std::optional<Vector3> &first, const std::optional<Vector3> &second,
                const std::optional<Vector3> &third, double scale) noexcept {
     const bool given = first && third && is_frame(*first, *third, scale);
@@ -48,7 +49,7 @@ Motion axes_of(const std::optional<Vector3> &first, const std::optional<Vector3>
     return {{x, mirrored ? -1.0 * y : y, along}, {}};
 }
 
-// Goes to the place where so many attributes are left.
+// Skips attributes until only `left` of them are left.
 void skip_to_last(Attributes &attributes, int left) {
     Attributes ahead = attributes;
     int all = 0;
@@ -62,7 +63,7 @@ void skip_to_last(Attributes &attributes, int left) {
 
 } // namespace
 
-// Directions that are those of a frame but for rounding stay as they were given.
+// Given directions are kept if they are those of a frame, but for rounding.
 Motion motion_of(const build::Placement &frame) noexcept {
     const Vector3 &z = frame.given_axis, &x = frame.given_x;
     const bool given = is_frame(x, z, 1);
@@ -97,7 +98,7 @@ Motion read_operator(Entities &entities, const Instance &instance, double length
     Attributes attributes(entities.instances(), instance);
     if (attributes.complex()) {
         attributes.part("CARTESIAN_TRANSFORMATION_OPERATOR");
-    } else { // writers differ on how many names and descriptions stand before
+    } else { // writers differ in how many names and descriptions come first
         skip_to_last(attributes, 5);
     }
     const std::optional<Vector3> first = read_axis_direction(entities, attributes, "axis1"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions that place parts.
+// Motions that place parts: similarities, which may scale and mirror.
 #pragma once
 
 #include "build/placement.h"
@@ -12,16 +12,17 @@ namespace nrb::io::step {
 
 using Motion = model::Similarity;
 
-// From the coordinates of a frame to those around it.
+// The motion from the coordinates of a frame to those in which it is given.
 Motion motion_of(const build::Placement &frame) noexcept;
-// The motion by which `from` becomes `to`. Precondition: the axes of `from` are at right angles and of length 1.
+// The motion that carries `from` to `to`. Precondition: the axes of `from` are orthonormal.
 Motion between(const Motion &from, const Motion &to) noexcept;
-// Rows of (M | t), without -0.
+// The rows of (M | t), without -0.
 std::array<double, 12> matrix_of(const Motion &motion) noexcept;
 
 bool is_operator(const Instances &instances, const Instance &instance);
-// cartesian_transformation_operator_3d: axes that may be missing, and may be those of a mirror image; a scale. `length` is the
-// factor of its unit. Throws Status::syntax, factor for a scale that is not positive.
+// Reads a cartesian_transformation_operator_3d: axes, of which some may be missing and which may be those of
+// a mirror image, and a scale. `length`: the factor of its unit of length. Throws Status::syntax, and factor
+// for a scale that is not positive.
 Motion read_operator(Entities &entities, const Instance &instance, double length);
 
 } // namespace nrb::io::step

@@ -4,7 +4,7 @@
 namespace nrb::io::step {
 namespace {
 
-// Calls visit(place) for what an instance makes a part of itself.
+// Calls visit(place) for the instances that an owner makes parts of itself.
 template <class Visit>
 void for_each_part(const Instances &instances, int64_t owner, Visit &&visit) {
     if (!owns_geometry(instances[owner].kind())) {
@@ -17,7 +17,7 @@ void for_each_part(const Instances &instances, int64_t owner, Visit &&visit) {
     });
 }
 
-// What nothing else has as a part.
+// The places of the owners that are not parts of others.
 std::vector<int64_t> find_roots(const Instances &instances) {
     std::vector<bool> part(static_cast<size_t>(instances.size()), false);
     for (int64_t owner = 0; owner < instances.size(); ++owner) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which curves and surfaces others are made of.
+// Finds the curves and surfaces that are parts of others.
 #pragma once
 
 #include "io/step/structure/instances.h"
@@ -8,8 +8,9 @@
 
 namespace nrb::io::step {
 
-// One flag for each place in instances.all(): it is a part of another shape, an edge, a face, or a parameter plane. What
-// is a part only of what is its own part in turn is none, so that it is read on its own and somebody hears of the cycle.
+// One flag for each place in instances.all(): whether the instance is a part of another shape, an edge, a
+// face, or a parameter plane. An instance that is a part only of its own parts is not flagged, so that it is
+// read on its own and the cycle is reported.
 std::vector<bool> find_parts(const Instances &instances);
 
 } // namespace nrb::io::step

@@ -96,7 +96,7 @@ private:
         return known->second;
     }
 
-    // With the tolerance of its context, or the least larger one that its edges need.
+    // Adds a face with the tolerance of its context, or with the least larger one that its edges need.
     void add_face(int64_t place) {
         const Instance &instance = instances_[place];
         const Units units = units_of(place);
@@ -113,7 +113,7 @@ private:
             add_note(instance.number(), Status::tolerance, text.c_str());
         }
     }
-    // How far its surface is from the one of the file.
+    // Adds a face with a given tolerance. Returns the distance of its spline from the surface in the file.
     double add_face(int64_t place, const Units &units, double tolerance) {
         const Instance &instance = instances_[place];
         Geometry geometry(entities_, units);

@@ -25,7 +25,7 @@ public:
     model::Model run() {
         Steps steps(3);
         Splines edges, faces;
-        // Faces lie around their edges.
+        // Edges come first, because unbounded surfaces are cut to the edges of their faces.
         read_all([this](int64_t place) { return is(place, Kind::edge_curve); },
                  [&](int64_t place) { add_edge(place, edges); });
         steps.next();
@@ -70,7 +70,7 @@ private:
             attributes.skip("bounds");
             attributes.part("FACE_SURFACE");
             const int64_t number = attributes.reference("face_geometry");
-            // Faces may share a surface, and a surface with ends is the same for all of them.
+            // Faces may share a surface. A bounded surface has the same spline for all of them.
             if (const auto known = surfaces_.find({number, units.length, units.angle});
                 known != surfaces_.end()) {
                 return known->second;

@@ -15,7 +15,7 @@ public:
             if (instance.kind() == Kind::topology && is_solid(instance)) {
                 try {
                     read_solid(instance);
-                } catch (const Error &error) { // the other faces are read without it
+                } catch (const Error &error) { // faces are read without it
                     tell(instance, error);
                 }
                 ++place_.solid;
@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    // Complex instances have the part of their supertype.
+    // A complex instance of a subtype also has the part of its supertype.
     [[nodiscard]] bool is_solid(const Instance &instance) const {
         const Attributes attributes(instances_, instance);
         return attributes.has_part("MANIFOLD_SOLID_BREP") || attributes.has_part("BREP_WITH_VOIDS") ||
@@ -54,7 +54,7 @@ private:
             read_shell(number, attributes, "voids");
         }
     }
-    // Oriented shells lie around others.
+    // Oriented shells wrap other shells, and may reverse them.
     void read_shell(int64_t number, const Attributes &owner, const char *attribute) {
         const Instance &shell = entities_.at(number, owner, attribute);
         const Entities::Visit visit(entities_, number);
@@ -75,7 +75,7 @@ private:
         }
     }
 
-    static constexpr int64_t size_of_a_place = 10; // doubles, in its map
+    static constexpr int64_t size_of_a_place = 10; // in doubles, as an entry of a map
     Entities &entities_;
     const Instances &instances_;
     PlaceInSolid place_{0, false, false};

@@ -8,17 +8,18 @@
 
 namespace nrb::io::step {
 
-// Where a face is in the solids.
+// The place of a face in the solids.
 struct PlaceInSolid {
     int64_t solid = -1; // counted from 0 in the order of the instances; -1: in none
     bool in_void = false;
-    bool turned = false; // the material is on the side of its outer normal, unless that is turned
+    bool turned = false; // whether its outer normal has to be turned to point out of the material
 };
 
-// By the numbers of the faces; the first solid has a face that several name. What cannot be read of a solid is told.
+// Places by the numbers of the faces. A face that several solids name belongs to the first of them.
 using PlacesInSolids = std::map<int64_t, PlaceInSolid>;
 
-// MANIFOLD_SOLID_BREP and its subtypes; voids of BREP_WITH_VOIDS are oriented so that normals point out of the material.
+// Reads each MANIFOLD_SOLID_BREP, subtypes included. In a BREP_WITH_VOIDS, the shells of voids are oriented
+// so that normals point out of the material. What cannot be read of a solid is reported.
 PlacesInSolids read_solids(Entities &entities, const TellError &tell);
 
 } // namespace nrb::io::step

@@ -14,7 +14,7 @@
 namespace nrb::io::step {
 namespace {
 
-// Schemas whose entities have names of their own.
+// Throws Status::format for schemas that have entities of their own, such as IFC.
 void check_schemas(const std::vector<std::string> &schemas) {
     for (const std::string &schema : schemas) {
         if (schema.starts_with("IFC") || schema.starts_with("ifc")) {
@@ -45,7 +45,7 @@ Source::Source(const Exchange &file, const ReadSettings &settings)
     entities_.share_among(std::ranges::count(instances_.all(), Kind::offset_surface, &Instance::kind));
     const double stated = contexts_.all().front().metres;
     model_.metres_per_unit = settings.unit > 0 ? settings.unit : stated;
-    (void)unit_factor(stated, settings); // whether it can be reached
+    (void)unit_factor(stated, settings); // throws if it cannot be reached
     for (const ContextDamage &damage : contexts_.damages()) {
         add_note(damage.number, damage.reason, damage.text.c_str());
     }
@@ -111,7 +111,7 @@ void Source::note_item(const Instance &owner, int64_t number) {
     }
     const Instance &item = instances_[place];
     if (item.kind() == Kind::other && !part_[static_cast<size_t>(place)]) {
-        part_[static_cast<size_t>(place)] = true; // one look is enough
+        part_[static_cast<size_t>(place)] = true; // so that it is noted only once
         if (is_context(instances_, item)) {
             return;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A file as its readers see it: units, names, notes, and the curves and surfaces that belong to no face.
+// The common base of the readers of STEP: the units, names and notes of a file, and the curves and surfaces
+// that belong to no face.
 #pragma once
 
 #include "base/watch.h"
@@ -18,11 +19,13 @@ namespace nrb::io::step {
 
 class Source {
 public:
-    // Throws Status::format for schemas of other kinds, options for a unit that cannot be reached. The file must outlive this.
+    // Throws Status::format for schemas of other kinds, options for a unit that cannot be reached. The file
+    // must outlive this object.
     Source(const Exchange &file, const ReadSettings &settings);
 
 protected:
-    // Calls add(place) for the instances that are wanted; what it throws becomes a note.
+    // Calls add(place) for the instances for which wants(place) is true. An error that it throws becomes a
+    // note.
     template <class Wants, class Add>
     void read_all(Wants &&wants, Add &&add) {
         Steps steps(instances_.size());
@@ -42,10 +45,11 @@ protected:
         return instances_[place].kind() == kind;
     }
 
-    // The measures of what stands at a place, as factors to the unit of the model.
+    // The measures of the instance at a place, as factors to the unit of the model.
     [[nodiscard]] Units units_of(int64_t place) const;
 
-    // What make() returns. Splines count before they are kept, whoever shares their points.
+    // Returns what make() returns. The size of a spline is counted before it is kept, even if it shares its
+    // points.
     template <class Make>
     SplinePtr made(const Instance &instance, Make &&make) {
         return naming(instances_, instance, [&] {
@@ -55,6 +59,7 @@ protected:
             return spline;
         });
     }
+    // The same for a surface, which is noted if it is only an approximation.
     template <class Make>
     SplinePtr made_surface(const Instance &instance, Make &&make) {
         double distance = 0;
@@ -67,18 +72,21 @@ protected:
         return spline;
     }
 
-    // The curves and surfaces that nothing else is made of.
+    // The curves and surfaces that are not parts of others.
     std::vector<model::NamedSpline> free_splines(const Layers &layers);
 
-    // What shapes consist of and is not read, and, if they are not, where parts are placed.
+    // Notes the items of shapes that are not read and, unless placements are read, the instances that place
+    // parts.
     void note_items(bool placements_read);
     void note_unread(const Instance &instance, const char *what);
-    // With the label of the instance, unless the message begins with it.
+    // Notes an error. The label of the instance comes before the message, unless the message begins with its
+    // number.
     void note_error(const Instance &instance, const Error &error);
-    // Of a surface that is so far from the one of the file, unless that is 0; `stated`: the tolerance of that.
+    // Notes a surface that is only near the one in the file; a distance of 0 is not noted. `stated`: the
+    // tolerance that the file states.
     void note_approximation(const Instance &instance, double distance, double stated);
     void add_note(int64_t number, Status reason, const char *text);
-    // The model with its notes in the order of their instances.
+    // The model, with its notes in the order of their instances.
     model::Model finished();
 
     const Instances &instances_;
@@ -89,7 +97,7 @@ protected:
     model::Model model_;
 
 private:
-    static constexpr int64_t work_of_an_entity = 1000; // beyond what its numbers count
+    static constexpr int64_t work_of_an_entity = 1000; // besides that of its numbers
     void note_item(const Instance &owner, int64_t number);
 
     double tolerance_; // 0: those of the contexts

@@ -38,7 +38,7 @@ double power_of_ten(const Attributes &attributes, std::string_view prefix) {
     return power_of(*found);
 }
 
-// Files give few digits of these.
+// Files give few digits of these units.
 double exact(double factor) noexcept {
     constexpr double known[] = {std::numbers::pi / 180, std::numbers::pi / 200, 0.0254, 0.3048, 0.9144};
     for (const double value : known) {
@@ -60,7 +60,7 @@ Unit read_si_unit(Attributes &attributes) {
     return {quantity, power_of_ten(attributes, prefix)};
 }
 
-// A number of other units.
+// A measure: a number of other units.
 Unit read_measure(Entities &entities, const Instance &instance) {
     Attributes attributes(entities.instances(), instance);
     attributes.part("MEASURE_WITH_UNIT");
@@ -74,7 +74,8 @@ Unit read_measure(Entities &entities, const Instance &instance) {
     return {of.quantity, exact(value * of.factor)};
 }
 
-// The smallest distance that counts, of the first uncertainty of a length.
+// Reads the smallest distance that counts: the first uncertainty of a length. The unit of the result is
+// `metres` long.
 double read_uncertainty(Entities &entities, Attributes &attributes, double metres) {
     double least = 0;
     attributes.part("GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of a curve that an edge is.
+// The part of an analytic curve that an edge is.
 #pragma once
 
 #include "model/model.h"
@@ -8,7 +8,7 @@
 
 namespace nrb::io {
 
-// The part of the shape of an edge between its vertices, if that is the edge, bit for bit.
+// The piece of the shape of an edge between its vertices, if its spline equals that of the edge bit for bit.
 std::optional<model::CurvePiece> piece_of_shape(const model::Edge &edge, const Vector3 &start,
                                                 const Vector3 &end, double tolerance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors that name what they are about.
+// Adds to errors which element of an array they are about.
 #pragma once
 
 #include "base/error.h"
@@ -8,7 +8,7 @@
 
 namespace nrb::io {
 
-// What run() returns; "array[index]: " before the messages of what it throws.
+// Returns what run() returns. Errors that it throws get "array[index]: " before their messages.
 template <class Run>
 auto named(const char *array, size_t index, const Run &run) {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices that no edge has.
+// Vertices of faces that belong to no edge.
 #pragma once
 
 #include "model/model.h"
@@ -8,8 +8,9 @@
 
 namespace nrb::io {
 
-// Places where a face needs a vertex besides its edges: a pole inside of a face on a surface without ends, as which it is written if
-// `on_shape`; on any, if the face has no edges at all.
+// The points at which a face needs a vertex besides those of its edges. If it is written on its shape
+// (`on_shape`) and that is unbounded, these are the poles inside the face. A face without any edges has one
+// on any surface: a pole inside the face or, if there is none, a corner of the domain.
 std::vector<Vector3> lone_vertices(const model::ModelFace &face, bool on_shape);
 
 } // namespace nrb::io

@@ -9,7 +9,7 @@
 namespace nrb::io {
 namespace {
 
-// Calls visit(face, oriented edge) for all uses.
+// Calls visit(face, oriented edge) for each use of an edge in a loop.
 template <class Visit>
 void for_each_use(const Topology &topology, const Visit &visit) {
     for (size_t f = 0; f < topology.loops.size(); ++f) {
@@ -21,6 +21,7 @@ void for_each_use(const Topology &topology, const Visit &visit) {
     }
 }
 
+// Disjoint sets (union-find).
 class Groups {
 public:
     explicit Groups(size_t count) : leaders_(count) {
@@ -34,7 +35,7 @@ public:
         }
         return i;
     }
-    // The first of each group leads it.
+    // The smallest member of each group is its leader.
     void join(size_t a, size_t b) noexcept {
         a = leader(a);
         b = leader(b);
@@ -45,7 +46,7 @@ private:
     std::vector<size_t> leaders_;
 };
 
-// The faces of one part, and of one solid or void, that share an edge.
+// Joins faces that share an edge and belong to one part, one solid, and one side of it (outer or void).
 Groups groups_of(const model::Model &model, const Topology &topology) {
     Groups groups(model.faces.size());
     std::map<std::tuple<size_t, int64_t, int64_t, bool>, size_t> first;
@@ -59,7 +60,7 @@ Groups groups_of(const model::Model &model, const Topology &topology) {
     return groups;
 }
 
-// Gives voids to the first closed outer shell of their solid.
+// Assigns the closed shells of voids to the first closed outer shell of their solid and part.
 void hand_out_voids(std::vector<Shell> &shells) {
     std::map<std::pair<int64_t, int64_t>, size_t> outer; // by solid and part
     for (size_t i = 0; i < shells.size(); ++i) {

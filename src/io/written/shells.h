@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which faces hang together by their edges.
+// Shells: sets of faces that are connected by their edges.
 #pragma once
 
 #include "io/written/topology.h"
@@ -11,17 +11,20 @@ namespace nrb::io {
 struct Shell {
     int64_t part = 0;
     std::vector<size_t> faces; // in the order of the model
-    // Each edge is used twice, once in each direction as the outer normals see it, so that the faces enclose something.
+    // Whether each edge is used exactly twice, once in each direction with respect to the outer normals, so
+    // that the faces enclose a volume.
     bool closed = true;
-    // As its faces have them.
+    // The solid and the side of its faces, as in model::ModelFace.
     int64_t solid = -1;
     bool in_void = false;
-    // Of a closed outer shell: the closed shells of voids in the same solid, which others do not have.
+    // For the first closed outer shell of a solid: the closed shells of voids in the same solid. Others have
+    // none.
     std::vector<size_t> voids{};
-    bool inner = false; // it is a void of another one
+    bool inner = false; // whether it is among the voids of another shell
 };
 
-// In the order of their first faces; faces of different parts do not hang together, nor do those of different solids or voids.
+// The shells in the order of their first faces. Faces that share an edge are connected if they belong to the
+// same part and the same solid, and both or neither to a void.
 std::vector<Shell> shells_of(const model::Model &model, const Topology &topology);
 
 } // namespace nrb::io

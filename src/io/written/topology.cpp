@@ -18,7 +18,8 @@ Vector3 at_share(const Spline &curve, double share) {
     return {x[0], x[1], x[2]};
 }
 
-// Whether a curve in the domain of a face runs along an edge rather than against it, by some places of both.
+// Whether a curve in the domain of a face runs in the direction of an edge instead of against it, judged by
+// the distances of points at some parameters of both.
 bool runs_along(const face::Face &face, const Spline &curve, const Spline &edge) {
     double along = 0, against = 0;
     for (const double share : {0.0, 0.2, 0.4, 0.7, 1.0}) {
@@ -93,7 +94,8 @@ private:
             }
         }
     }
-    // Loops that meet at the same vertices are closed, wherever their curves in the domain end.
+    // Closes the gaps of loops. Where consecutive edges meet at the same vertex there is no gap, wherever
+    // their curves in the domain end.
     void close(size_t f) {
         const face::Face &face = *model_.faces[f].face;
         for (size_t i = 0; i < face.loops().size(); ++i) {
@@ -115,11 +117,11 @@ private:
             loop = std::move(closed);
         }
     }
-    // At which the loop comes to an edge, or leaves it.
+    // The vertex at which the loop leaves an edge (`last`) or comes to it.
     [[nodiscard]] int64_t vertex_of(const OrientedEdge &oriented, bool last) const {
         return result_.edges[oriented.edge].vertices[oriented.along == last ? 1 : 0];
     }
-    // Vertices where it has none: equal ones are one.
+    // Gives an edge the vertices that it lacks. Ends at equal points share a vertex.
     void end(model::Edge &edge) {
         for (const size_t upper : {0U, 1U}) {
             if (edge.vertices[upper] >= 0) {

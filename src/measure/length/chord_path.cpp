@@ -16,20 +16,21 @@ namespace {
 
 constexpr int most_corrections = 6;
 constexpr int64_t work_of_a_place = 100;
-constexpr int64_t most_work = 2'000'000; // evaluations of a curve of low degree
+constexpr int64_t most_work = 2'000'000; // in evaluations of a curve of low degree
 
-// Of an evaluation, in those of a curve of low degree: of high ones derivatives come from recurrences.
+// The cost of an evaluation relative to that of a curve of low degree; at high degrees, derivatives come from
+// recurrences.
 int64_t cost_of_place(int degree) noexcept {
     return power_span_degree(degree) ? 1 : 1 + int64_t{degree} * degree / 15;
 }
-constexpr double shortest_chord = 1e-9; // of a chord
+constexpr double shortest_chord = 1e-9; // relative to the chord
 
 double largest(const std::vector<double> &x) noexcept {
     return std::accumulate(x.begin(), x.end(), 0.0,
                            [](double a, double b) { return std::max(a, std::abs(b)); });
 }
 
-// So that the largest part is 1.
+// Scales x so that its largest component has magnitude 1.
 void normalise(std::vector<double> &x) noexcept {
     const double size = largest(x);
     std::for_each(x.begin(), x.end(), [=](double &part) { part /= size; });
@@ -47,12 +48,13 @@ ChordPath::ChordPath(const Spline &curve, Interval range, std::vector<double> pa
     tangent_[0] = 1;
 }
 
-// Chords and what they change by. False where there is no chord or no tangent, or an order is lost.
+// Evaluates the chords and the derivatives of their lengths. False if a chord or a tangent vanishes, or if
+// the parameters are not increasing.
 bool ChordPath::evaluate() {
     const auto dim = static_cast<size_t>(curve_.dim());
     const auto count = static_cast<int64_t>(count_ + 1);
     eval::AxisRules rules{};
-    rules[0].left = true; // the last one may be the end
+    rules[0].left = true; // the last parameter may be the end of the domain
     eval::evaluate_points(curve_, rules, 1, {params_.data(), count},
                           {values_.data(), count, 2 * curve_.dim(), 2 * curve_.dim()});
     const int64_t cost = count * cost_of_place(curve_.axis(0).degree());
@@ -85,8 +87,9 @@ bool ChordPath::evaluate() {
     return true;
 }
 
-// ahead_i x_i - back_i x_(i-1) - x_0 = -misses_i, or 0, and last . x = rhs, where x_0 belongs to the chord:
-// rotations make the bidiagonal rows upper ones, and all that may vanish is left in the last two equations.
+// Solves the bordered system ahead_i x_i - back_i x_(i-1) - x_0 = -misses_i (or 0), last . x = rhs, where x_0
+// belongs to the chord and x_i to point i. Givens rotations turn the bidiagonal rows into upper triangular
+// ones, so that pivots that may vanish occur only in the last two equations.
 bool ChordPath::solve(const std::vector<double> &last, double rhs, bool residuals, std::vector<double> &out) {
     const size_t n = count_;
     double pivot = ahead_[0], border = -1, right = residuals ? -misses_[0] : 0;
@@ -119,7 +122,7 @@ bool ChordPath::solve(const std::vector<double> &last, double rhs, bool residual
     return std::isfinite(largest(out));
 }
 
-// False if a point would leave the range.
+// Moves the chain; false if a point leaves the range, or the chord is not positive.
 bool ChordPath::move(const std::vector<double> &along, double by) {
     chord_ += by * along[0];
     bool inside = chord_ > 0;
@@ -130,7 +133,8 @@ bool ChordPath::move(const std::vector<double> &along, double by) {
     return inside;
 }
 
-// Newton's method on the plane last . x = 0, no farther than a given way.
+// Newton's method in the hyperplane last . x = 0. The corrections have to stay within `farthest`, which is
+// halved after each one.
 bool ChordPath::correct(const std::vector<double> &last, double tolerance, double farthest) {
     for (int i = 0; i < most_corrections; ++i) {
         if (!evaluate()) {
@@ -147,8 +151,8 @@ bool ChordPath::correct(const std::vector<double> &last, double tolerance, doubl
     return false;
 }
 
-// The direction in which the path goes on, its largest part 1. False if that is far from the one before: then
-// another part of the path, or another path, may have been hit.
+// Computes the direction in which the path goes on, with largest component 1. False if it differs much from
+// the previous one: the corrections may then have reached another part of the path, or another path.
 bool ChordPath::turn() {
     constexpr double least_cosine = 0.99;
     const std::vector<double> before = tangent_;
@@ -161,7 +165,7 @@ bool ChordPath::turn() {
     return product >= least_cosine * norm(before.data(), n) * norm(tangent_.data(), n);
 }
 
-// With the last point at the end of the range.
+// A final step, after which the last point is at the end of the range.
 bool ChordPath::finish(double tolerance) {
     std::vector<double> last(count_ + 1, 0.0);
     last[count_] = 1;
@@ -171,7 +175,7 @@ bool ChordPath::finish(double tolerance) {
     return correct(last, tolerance, chord_ / 2) && params_[count_] == range_.upper;
 }
 
-// One step along the path, as long as the corrections stay small beside it.
+// One step along the path; false unless the corrections are small compared to it.
 bool ChordPath::step() {
     return move(tangent_, length_) && correct(tangent_, 1e-11, length_ / 16);
 }

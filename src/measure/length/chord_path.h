@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Chains of points on a curve at equal distances, followed as their distance changes.
+// Division of a curve into equal chords by numerical continuation: follows the chains of equidistant points
+// on the curve as their distance changes.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,21 +9,23 @@
 
 namespace nrb::measure {
 
-// The chains t_0 < t_1 < ... < t_n with |C(t_i) - C(t_(i-1))| = d for all i and t_0 given are n equations in
-// n + 1 unknowns: a curve. It begins at d = 0 and goes on until t_n reaches the end of the range, since
-// distances of neighbours cannot vanish on the way but where a curve meets itself; that a division exists is
-// K. Urbanik, "Sur un probleme de J. F. Pal sur les courbes continues", Bull. Acad. Polon. Sci. 2 (1954). On
-// this curve d rises and falls, so that walks with a given d find parts of it only. Followed by its tangent
-// and Newton's method (E. Allgower, K. Georg, Introduction to Numerical Continuation Methods, 1990), the
-// unknowns being the lengths that points move by. Cost: n evaluations and a bidiagonal system a correction.
+// The chains t_0 < t_1 < ... < t_n with t_0 given and |C(t_i) - C(t_(i-1))| = d for all i satisfy n equations
+// in the n + 1 unknowns t_1, ..., t_n and d; they form a curve, the path. It begins at d = 0 and goes on
+// until t_n reaches the end of the range, since the distance of neighbours cannot vanish on the way except
+// where the curve meets itself. That a division into equal chords exists was shown by K. Urbanik, "Sur un
+// probleme de J. F. Pal sur les courbes continues", Bull. Acad. Polon. Sci. 2 (1954). On the path, d rises
+// and falls, so that walks with a given d find parts of it only. The path is therefore followed by predictor
+// steps along its tangent and corrections by Newton's method (E. Allgower, K. Georg, Introduction to
+// Numerical Continuation Methods, 1990); the unknowns are the arc lengths by which the points move. Cost:
+// each correction takes n + 1 evaluations and the solution of a bidiagonal system with a border.
 class ChordPath {
 public:
-    // params: [n + 1], a chain of chords of this length, t_0 the lower end of the range. longest_step: no
-    // point moves by more in one step, as a part of a chord. Precondition: n > 1.
+    // params: [n + 1], a chain of chords of length `chord` whose t_0 is the lower end of the range.
+    // longest_step: the most that a point moves in one step, relative to the chord. Precondition: n > 1.
     ChordPath(const Spline &curve, Interval range, std::vector<double> params, double chord,
               double longest_step);
 
-    // False if the path is lost, which may lead back to the start, or too long.
+    // False if the path is lost, in which case it may lead back to the start, or if it is too long.
     bool run(double relative_tolerance);
 
     [[nodiscard]] const std::vector<double> &params() const noexcept { return params_; }
@@ -44,19 +47,19 @@ private:
 
     const Spline &curve_;
     Interval range_;
-    size_t count_; // n
+    size_t count_; // number of chords, n
     std::vector<double> params_;
     double chord_;
     double start_;
     double longest_step_;
-    double rounding_ = 0; // of distances
+    double rounding_ = 0; // bound on the rounding of distances
     double length_ = 0;   // of the next step
     int64_t work_ = 0;
     std::vector<double> values_;       // [n + 1][2][dim]
     std::vector<double> speeds_;       // [n + 1]
-    std::vector<double> ahead_, back_; // of each chord: its cosines with the tangents at both ends
+    std::vector<double> ahead_, back_; // cosine of each chord with the tangent at its end, start
     std::vector<double> misses_;
-    std::vector<double> tangent_, change_; // [n + 1]: d, then each point but the first
+    std::vector<double> tangent_, change_; // [n + 1]: component of d, then those of all points but the first
     std::vector<double> diagonal_, upper_, border_, right_;
 };
 

@@ -18,13 +18,13 @@ namespace nrb::measure {
 namespace {
 
 constexpr int first_level = 2; // 15 nodes
-// What 15 nodes seldom reach: 31 at once take less time, and tell more of how coefficients fall. Tables of
-// lengths want few nodes.
+// At tolerances below this, 15 nodes are seldom enough: 31 at once take less time, and their coefficients
+// show the decay better. Tables of lengths prefer few nodes.
 constexpr double sharp = 1e-8;
 constexpr int most_halvings_of_curve = 200;
 constexpr int64_t leaves_for_a_piece = 256, leaves_at_least = 20000;
 
-// Rules of rising levels on one part of a piece.
+// Quadrature rules of increasing level on one part of a piece.
 class Ladder {
 public:
     Ladder(const SpeedForm &form, const double *net, int level)
@@ -35,7 +35,8 @@ public:
     [[nodiscard]] double last() const noexcept { return decay_.last; }
     [[nodiscard]] int level() const noexcept { return level_; }
 
-    // Climbs as long as the next level but one is likely to be good enough; false if none is.
+    // Raises the level as long as one of the next two levels is likely to be accurate enough; false if
+    // neither is.
     bool climb(double tolerance) noexcept {
         while (!(error() <= tolerance)) {
             if (level_ + 1 == rule_levels || !promising(tolerance)) {
@@ -60,9 +61,9 @@ private:
     RuleDecay decay_;
 };
 
-constexpr int64_t work_of_a_value = 8; // of a net: at the nodes of a rule
+constexpr int64_t work_of_a_value = 8; // per value of a net, for the nodes of a rule
 
-// One search with a given idea of the whole length.
+// One adaptive search, for a given estimate of the whole length.
 class LengthSearch {
 public:
     LengthSearch(const SpeedPieces &pieces, double tolerance, std::vector<LengthLeaf> *leaves,
@@ -73,13 +74,13 @@ public:
                            : first_level),
           budget_(leaves_at_least + leaves_for_a_piece * pieces.size()) {}
 
-    // `fraction`: what is allowed on however small a part, of the whole tolerance.
+    // `fraction`: every part, however small, may have an error of this fraction of the whole tolerance.
     Integral run(double length, double fraction) {
         least_ = tolerance_ * length * fraction;
         if (leaves_ != nullptr) {
             leaves_->clear();
             nets_->clear();
-            // Most pieces are one leaf: growing would copy them all at once.
+            // Most pieces are one leaf each; growing the arrays would copy them all.
             leaves_->reserve(static_cast<size_t>(pieces_.size()));
             nets_->reserve(static_cast<size_t>(pieces_.size() * pieces_.form().size()));
         }
@@ -125,7 +126,7 @@ private:
                           : finish_uneven(piece, part, net, shape.bound());
     }
 
-    // Whether a part on which rules tell their error is accepted.
+    // Handles a part on which the error estimates of the rules are reliable; returns whether it is accepted.
     bool finish_even(int64_t piece, const SpeedPart &part, const double *net, const NetShape &shape) {
         Ladder ladder(pieces_.form(), net, first_level_);
         const bool good = ladder.climb(std::max(least_, tolerance_ / 2 * ladder.value()));
@@ -136,8 +137,8 @@ private:
         return true;
     }
 
-    // Elsewhere the net alone tells that a part has to be halved, unless it is too small to matter. Where
-    // nothing bounds the length a node may show that it is infinite.
+    // On any other part, the net alone decides that it has to be halved, unless the part is too small to
+    // matter. If nothing bounds its length, a value at a node may still show that the length is infinite.
     bool finish_uneven(int64_t piece, const SpeedPart &part, const double *net, double bound) {
         if (bound > least_ && bound < infinity && may_halve(part)) {
             return false;
@@ -154,7 +155,7 @@ private:
         return part.halvings < most_halvings_of_curve && --budget_ >= 0;
     }
 
-    // The lower half is on top.
+    // The lower half ends up on top of the stack.
     void halve_top(const SpeedPart &part, size_t size) {
         const size_t end = parts_.size() * size;
         stack_.resize(std::max(stack_.size(), end + size));
@@ -169,7 +170,7 @@ private:
         total_.add(ladder.value());
         error_.add(std::isfinite(error) ? error : infinity);
         if (leaves_ != nullptr) {
-            count_work(work_of_a_value * pieces_.form().size()); // memory
+            count_work(work_of_a_value * pieces_.form().size()); // for memory
             leaves_->push_back({piece, part.lower, part.upper, ladder.level(), ladder.value()});
             nets_->insert(nets_->end(), net, net + pieces_.form().size());
         }
@@ -188,9 +189,9 @@ private:
     std::vector<SpeedPart> parts_;
 };
 
-// By 7 nodes a piece.
+// The length by 7 nodes per piece.
 double rough_length(const SpeedPieces &pieces) {
-    constexpr int64_t most = 4096; // pieces at once
+    constexpr int64_t most = 4096; // pieces per call
     double length = 0;
     for (int64_t first = 0; first < pieces.size(); first += most) {
         const int64_t count = std::min(most, pieces.size() - first);
@@ -200,7 +201,7 @@ double rough_length(const SpeedPieces &pieces) {
     return length;
 }
 
-// How much larger the largest weight is than the smallest.
+// The ratio of the largest to the smallest weight, at most 64.
 double weight_ratio(const double *weights, int degree) noexcept {
     double least = degree < 0 ? 1 : std::abs(weights[0]), most = least;
     for (int i = 1; i <= degree; ++i) {
@@ -239,7 +240,7 @@ SpeedPieces::SpeedPieces(const Spline &curve, Interval range) {
     }
 }
 
-// Every point of the piece is off by (3 p + 2) eps of the spread, differences count twice.
+// Every point of the piece has an error of (3 p + 2) eps of the spread, and a difference has twice that.
 void SpeedPieces::add_piece(const Element &element, int degree) {
     const int p = degree;
     const size_t start = nets_.size();
@@ -264,7 +265,7 @@ void SpeedPieces::add_piece(const Element &element, int degree) {
 
 namespace {
 
-// Whether the error of a whole length is what was asked for, rounding included.
+// Whether the error of a whole length is as small as requested, with an allowance for rounding.
 bool good_enough(const SpeedPieces &pieces, Integral found, double tolerance) noexcept {
     return !(found.error > 2 * ((tolerance + 4 * eps) * found.value + pieces.rounding()));
 }

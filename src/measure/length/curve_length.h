@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lengths of curves.
+// Lengths of curves by adaptive quadrature of the speed.
 #pragma once
 
 #include "measure/elements.h"
@@ -11,13 +11,15 @@ namespace nrb::measure {
 
 struct Integral {
     double value;
-    double error;     // estimate, rounding included
-    bool good = true; // whether the error is what was asked for
+    double error;     // estimate, with rounding
+    bool good = true; // whether the error is as small as requested
 };
 
-// |C'| on the pieces of a curve as |N| / w^2, N = A' w - A w' = p (A_1 w_0 - A_0 w_1) of degree 2 p - 2,
-// where A_0, A_1 are the means of the first and the last p coefficients of A (Floater, "Derivatives of
-// rational Bezier curves", CAGD 9 (1992)): no difference is left to take where the curve is slow.
+// The speed |C'| on the pieces of a curve as |N| / w^2. The numerator N = A' w - A w' = p (A_1 w_0 - A_0 w_1)
+// has degree 2 p - 2, where A_0 and A_1 are the two points before the last step of de Casteljau's algorithm,
+// that is the weighted means of the first and of the last p coefficients, and w_0, w_1 their weights
+// (Floater, "Derivatives of rational Bezier curves", CAGD 9 (1992)). Its coefficients are computed once, so
+// that no cancellation is left where the curve is slow.
 class SpeedPieces {
 public:
     // Precondition: a curve.
@@ -31,9 +33,9 @@ public:
     [[nodiscard]] Interval interval(int64_t piece) const noexcept {
         return intervals_[static_cast<size_t>(piece)];
     }
-    // Rounding of the length of all pieces, at most.
+    // A bound on the rounding of the length of all pieces.
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
-    // What a length is multiplied by to be one of the model: 2^exponent.
+    // Lengths here times 2^exponent are lengths of the model.
     [[nodiscard]] int exponent() const noexcept { return exponent_; }
 
 private:
@@ -48,17 +50,17 @@ private:
     int exponent_ = 0;
 };
 
-// A part of a piece on which one rule is enough.
+// A part of a piece on which one quadrature rule is accurate enough.
 struct LengthLeaf {
     int64_t piece;
-    double lower, upper; // of the piece, in [0, 1]
+    double lower, upper; // in [0, 1] of the piece
     int level;           // of the rule
     double length;
 };
 
-// The length of all pieces. `leaves`, if not null, become all parts in their order, and `nets` what belongs
-// to them as in SpeedPieces. The error is above what was asked only if the budget is spent; a tolerance below
-// rounding asks for the best that the budget allows.
+// The length of all pieces. If `leaves` is not null, it receives all leaves in their order, and `nets` their
+// nets, laid out as in SpeedPieces. The error exceeds the requested one only if the budget is spent. A
+// tolerance below rounding requests the best that the budget allows.
 Integral integrate(const SpeedPieces &pieces, double relative_tolerance,
                    std::vector<LengthLeaf> *leaves = nullptr, std::vector<double> *nets = nullptr);
 
@@ -68,7 +70,7 @@ double rule_length(const SpeedForm &form, const double *net, int level) noexcept
 // Throws Status::not_converged, not_representable.
 Integral curve_length(const Spline &curve, Interval range, double relative_tolerance);
 
-// The results of an integral, scaled by 2^exponent.
+// An integral scaled by 2^exponent. Throws Status::not_converged, not_representable.
 Integral scaled_result(Integral integral, int exponent, double relative_tolerance, const char *what);
 
 } // namespace nrb::measure

@@ -17,9 +17,9 @@ namespace nrb::measure {
 namespace {
 
 constexpr int most_bisections = 200, most_walks = 100000;
-constexpr double parts_of_chord = 1024; // no step is shorter than one of them
+constexpr double parts_of_chord = 1024; // steps are at least 1 / parts_of_chord of a chord
 
-// A part of a curve by its length, in units of the table.
+// A range of a curve, parametrized by arc length in units of the length table.
 class Arc {
 public:
     Arc(const Spline &curve, Interval range, int64_t parts, double relative_tolerance)
@@ -47,7 +47,7 @@ public:
         const double t = table_.param_at(std::clamp(start_ + s, start_, end_), work_.data());
         return std::clamp(t, range_.lower, range_.upper);
     }
-    // The distance of two places in units of the table.
+    // The distance between two points in units of the table.
     [[nodiscard]] double distance_from(const std::vector<double> &from, double t, bool left) {
         place(t, left, point_);
         return std::ldexp(distance(from.data(), point_.data(), curve_.dim()), -table_.exponent());
@@ -73,7 +73,8 @@ public:
     ChordWalk(const Spline &curve, Arc &arc, Interval range, int64_t parts, std::vector<double> &params)
         : arc_(arc), range_(range), parts_(parts), params_(params), from_(static_cast<size_t>(curve.dim())) {}
 
-    // By how much the last chord is longer than the others; negative if the end comes too early, or the limit of work.
+    // The amount by which the last chord is longer than the others; negative if the walk reaches the end too
+    // early, or the limit of work.
     double excess(double chord) {
         params_.assign(1, range_.lower);
         arc_.place(range_.lower, false, from_);
@@ -93,8 +94,9 @@ public:
 private:
     double beyond(double s, double chord) { return arc_.distance_from(from_, arc_.param(s), false) - chord; }
 
-    // A place whose distance is `chord`. A distance grows no faster than the length, so that what is missing
-    // may always be gone (as in the tracing of spheres); up to eight times that if the last step promises it.
+    // The first place found at distance `chord` from the current point. The distance grows no faster than the
+    // arc length, so that a step of the missing distance is always safe (as in sphere tracing); a step may be
+    // up to eight times that if the slope of the last one suggests it.
     double next(double start, double chord) {
         double s = start, rest = -chord;
         for (int step = 0; step < most_walks && s < arc_.length() && !work_ended(); ++step) {
@@ -113,7 +115,7 @@ private:
         return arc_.length();
     }
 
-    // By regula falsi as modified by Illinois (M. Dowell, P. Jarratt, BIT 11 (1971)).
+    // Regula falsi with the Illinois modification (M. Dowell, P. Jarratt, BIT 11 (1971)).
     double between(double lower, double below, double upper, double above, double chord) {
         for (int step = 0; step < most_bisections && above > 4 * eps * chord; ++step) {
             const double falsi = (lower * above - upper * below) / (above - below);
@@ -162,14 +164,14 @@ double divide_by_length(const Spline &curve, Interval range, int64_t parts, doub
 
 namespace {
 
-// The chord at which the excess is 0.
+// Finds the chord at which the excess is 0.
 class ChordSearch {
 public:
     ChordSearch(ChordWalk &walk, double allowed) : walk_(walk), allowed_(allowed) {}
 
-    // Between a chord with an excess below and one with an excess above 0: regula falsi as modified by
-    // Illinois, every third step a bisection, since the excess may jump. False if it only jumps, and at the limit of
-    // work.
+    // Searches between a chord with a positive excess and a longer one with a negative excess: regula falsi
+    // with the Illinois modification and, since the excess may jump, a bisection at every third step. False
+    // if it only jumps, or at the limit of work.
     bool between(double lower, double below, double upper, double above) {
         for (int step = 0; step < most_bisections && !work_ended(); ++step) {
             const double falsi = (lower * above - upper * below) / (above - below);
@@ -194,7 +196,8 @@ public:
         return !work_ended() && std::abs(rest_) <= allowed_ * chord_;
     }
 
-    // Chords are no longer than arcs.
+    // The chord is at most `longest`, the length of a part, as chords are no longer than their arcs.
+    // `length`: the excess of a chord of length 0.
     bool run(double longest, double length) {
         const double above = walk_.excess(longest);
         if (std::abs(above) <= allowed_ / 8 * longest) {
@@ -213,7 +216,7 @@ private:
     double chord_ = 0, rest_ = 0;
 };
 
-// By how much the distances of neighbours differ from a chord, at most, in units of the table.
+// The largest difference between a distance of neighbours and the chord, in units of the table.
 double largest_miss(const Spline &curve, Arc &arc, const std::vector<double> &params, double chord) {
     std::vector<double> from(static_cast<size_t>(curve.dim()));
     double most = 0;
@@ -224,17 +227,17 @@ double largest_miss(const Spline &curve, Arc &arc, const std::vector<double> &pa
     return most;
 }
 
-// Where walks do not end: along the path of all chains, from a short one. Returns the chord in units of the
-// table, or 0.
+// For curves on which walks do not succeed: follows the path of all chains, starting from a short one.
+// Returns the chord in units of the table, or 0.
 double follow_chains(const Spline &curve, Arc &arc, Interval range, int64_t parts, double allowed,
                      std::vector<double> &params) {
-    constexpr double first = 0x1p-12; // of the mean part: nothing happens on so short a piece
+    constexpr double first = 0x1p-12; // relative to the mean part: the curve is nearly straight there
     const double start = first * arc.length() / static_cast<double>(parts);
     std::vector<double> chain;
     ChordWalk(curve, arc, range, parts + 1, chain).excess(start);
     chain.resize(static_cast<size_t>(parts) + 1);
     for (const double step :
-         {0x1p-3, 0x1p-6}) { // a step to another branch of the path leads back to the start
+         {0x1p-3, 0x1p-6}) { // a step onto another branch leads back to the start: then shorter steps
         ChordPath path(curve, range, chain, arc.to_model(start), step);
         if (path.run(allowed)) {
             const double chord = arc.from_model(path.chord());
@@ -245,7 +248,8 @@ double follow_chains(const Spline &curve, Arc &arc, Interval range, int64_t part
     return 0;
 }
 
-// Where walks take long they do not come to an end; the path is followed instead.
+// Walks that take long usually do not succeed at all: the search runs within a part of the usual limit of
+// work, so that the path can be followed instead.
 template <class Search>
 bool ends_in_time(const Spline &curve, int64_t parts, Search &&run) {
     const UsualLimit usual(usual_work(curve.point_count() + parts, 100000) / 2);
@@ -262,7 +266,7 @@ double divide_by_chord(const Spline &curve, Interval range, int64_t parts, doubl
     if (parts == 1) {
         return arc.to_model(walk.excess(0));
     }
-    // Below 1, so that a walk that ends too early is never taken.
+    // Below 1, so that a walk that ends too early, whose excess is -chord, is never accepted.
     const double allowed = std::min(std::max(relative_tolerance, 64 * eps * static_cast<double>(parts)), 0.5);
     ChordSearch search(walk, allowed);
     if (ends_in_time(curve, parts,

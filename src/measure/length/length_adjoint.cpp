@@ -19,20 +19,20 @@ namespace {
 
 constexpr int low_level = 2, high_level = 3; // 15 and 31 nodes
 constexpr int most_halvings = 60;
-constexpr int64_t halvings_for_a_span = 2; // beyond those that take a second
+constexpr int64_t halvings_for_a_span = 2; // per span, in addition to as many as take a second
 constexpr double rounding = 64 * eps;
-// Of a tolerance below rounding, which asks for the best.
+// The largest error that is accepted for a tolerance below rounding, which requests the best that can be had.
 constexpr double loosest = 1e-3;
 
-// What a rule gives for a part of a span.
+// The result of a rule on a part of a span.
 struct RuleGradient {
     std::vector<double> points;
     std::vector<double> weights;
     double length = 0;
-    double least_cosine = 1; // between tangents at neighbouring nodes
+    double least_cosine = 1; // of the angles between tangents at neighbouring nodes
 };
 
-// The largest difference of two results, of points and of w_i dL/dw_i.
+// The largest magnitudes in a result, or in the difference of two, for dL/dP_i and for w_i dL/dw_i.
 struct Scale {
     double points = 0;
     double weights = 0;
@@ -45,14 +45,14 @@ public:
 
     [[nodiscard]] int64_t count() const noexcept { return count_; }
     [[nodiscard]] double weight(int64_t i) const noexcept { return curve_->weight(i); }
-    // Of both rules.
+    // The work of both rules on one part.
     [[nodiscard]] int64_t work_of_a_part() const noexcept {
         return work_of(rule_size(low_level) + rule_size(high_level) + 4);
     }
 
-    // The integral over [a, b], by the nodes of a level.
+    // The integral over a part by the nodes of a level.
     [[nodiscard]] RuleGradient rule(Interval part, int level) const {
-        const int n = rule_size(level), all = n + 2; // with the ends, whose tangents are looked at
+        const int n = rule_size(level), all = n + 2; // with the ends, whose tangents are compared, too
         count_work(work_of(all));
         std::vector<double> params(static_cast<size_t>(all), part.lower);
         params.back() = part.upper;
@@ -95,7 +95,8 @@ private:
     [[nodiscard]] int64_t work_of(int64_t places) const noexcept {
         return places * (400 + count_ * ((dim_ + 1) * 24 + 12 * count_));
     }
-    // Between neighbouring derivatives; one that vanishes has no direction.
+    // The smallest cosine between derivatives at neighbouring nodes; a derivative that vanishes has no
+    // direction and does not count.
     [[nodiscard]] double least_cosine(const std::vector<double> &derivs) const noexcept {
         double least = 1;
         const double *before = derivs.data() + dim_;
@@ -110,7 +111,8 @@ private:
         }
         return least;
     }
-    // Point and derivative become the cotangents 0 and `factor` T; returns the part of the length.
+    // Replaces the point by the cotangent 0 and the derivative by `factor` T; returns the contribution to the
+    // length.
     double make_cotangent(double *derivs, double factor) const noexcept {
         double *derivative = derivs + dim_;
         const double speed = norm(derivative, dim_);
@@ -126,7 +128,7 @@ private:
     int dim_;
 };
 
-// The spans of the range, with the gradients of the whole curve as their sums.
+// Sums the gradients of the spans in the range to those of the whole curve.
 class LengthAdjoint {
 public:
     LengthAdjoint(const Spline &curve, Interval range, double tolerance)
@@ -158,7 +160,7 @@ private:
         }
     }
 
-    // The sizes that errors are compared with, roughly.
+    // Rough values of the sizes that errors are relative to, and the budget.
     void find_sizes() {
         std::vector<double> points(result_.points.size());
         int64_t work_of_a_part = 1;
@@ -192,13 +194,14 @@ private:
         int halvings;
     };
 
-    // A near cusp between two nodes is seen by no rule, but by the tangents beside it; what it can be off is the part itself.
+    // The doubt about a rule: no rule detects a near cusp between two nodes, but the tangents on its two
+    // sides differ. The error may then be as large as the contribution of the part itself.
     [[nodiscard]] double doubt(const SpanGradients &gradients, const RuleGradient &found) const noexcept {
         constexpr double calm = 0.75;
         return found.least_cosine >= calm ? 0 : 2 * relative(gradients.size(found));
     }
 
-    // What is off in one span reaches the gradients of p + 1 control points, each of which has p + 1 spans.
+    // The error in one span affects the gradients of p + 1 control points, each of which has p + 1 spans.
     void run_span(int64_t span, Interval whole) {
         const SpanGradients gradients(curve_, span);
         const double allowed = tolerance_ / (2 * static_cast<double>(gradients.count()));
@@ -236,7 +239,7 @@ private:
     const Spline &curve_;
     Interval range_;
     double tolerance_;
-    std::vector<double> errors_; // of the gradients of each control point
+    std::vector<double> errors_; // of the gradient for each control point
     LengthGradient result_;
     double longest_ = 0;
     double length_ = 0;

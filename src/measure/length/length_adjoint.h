@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gradients of the length of a curve.
+// Reverse-mode gradients (adjoints) of the length of a curve.
 #pragma once
 
 #include "base/records.h"
@@ -9,16 +9,16 @@
 
 namespace nrb::measure {
 
-// dL/dP_i and dL/dw_i of every stored control point, and an estimate of their error: of the points relative
-// to the longest dL/dP_i, of the weights relative to L / w_i, whichever is larger.
+// dL/dP_i and dL/dw_i for every stored control point, and an estimate of their error: the larger of that of
+// the points, relative to the longest dL/dP_i, and that of the weights, relative to L / w_i.
 struct LengthGradient {
     std::vector<double> points;  // [count][dim]
     std::vector<double> weights; // [count]
     double error = 0;
 };
 
-// With the unit tangent T: dL = integral of <T, dC'>. Where the curve stands still T counts as 0. Throws
-// Status::not_converged, not_representable. Precondition: a curve, the range inside its domain.
+// dL = integral of <T, dC'>, where T is the unit tangent. Where the curve stands still, T counts as 0. Throws
+// Status::not_converged, not_representable. Precondition: a curve, with the range inside its domain.
 LengthGradient length_gradient(const Spline &curve, Interval range, double relative_tolerance);
 
 } // namespace nrb::measure

@@ -18,7 +18,7 @@ namespace nrb::measure {
 namespace {
 
 constexpr int most_steps = 100;
-constexpr int64_t work_of_a_leaf = 30; // that is moved
+constexpr int64_t work_of_a_leaf = 30; // for storing it in the table
 constexpr size_t max_row = max_product_degree + 1;
 
 double value_of(const double *row, const double *basis, int degree) noexcept {
@@ -58,7 +58,7 @@ const LengthTable &LengthTable::of(const Spline &curve) {
                                    [&] { return std::make_shared<const LengthTable>(curve); });
 }
 
-// Over [lower, upper] of a leaf.
+// The length over [lower, upper] of a leaf.
 double LengthTable::part_length(size_t leaf, double lower, double upper, double *work) const noexcept {
     const SpeedForm &form = pieces_.form();
     std::copy_n(net(leaf), form.size(), work);
@@ -108,13 +108,14 @@ double LengthTable::length_at(double t, double *work) const noexcept {
     const Interval part = pieces_.interval(at.piece);
     const double u = (t - part.lower) / (part.upper - part.lower);
     const double x = std::clamp((u - at.lower) / (at.upper - at.lower), 0.0, 1.0);
-    // Where the leaf ends, and at most as much before: the sum of all leaves is rounded otherwise.
+    // At the end of a leaf, the tabulated sum is returned, and never exceeded before: that sum is rounded
+    // differently.
     const double end = starts_[leaf + 1];
     return x == 1 ? end : std::min(starts_[leaf] + from_start(leaf, x, work), end);
 }
 
 double LengthTable::param_at(double length, double *work) const noexcept {
-    // The first leaf that ends at or after the length.
+    // The first leaf that ends at or beyond the length.
     const auto end = std::lower_bound(starts_.begin() + 1, starts_.end() - 1, length);
     const auto leaf = static_cast<size_t>(end - starts_.begin() - 1);
     const LengthLeaf &at = leaves_[leaf];
@@ -126,8 +127,8 @@ double LengthTable::param_at(double length, double *work) const noexcept {
     return u >= 1 ? part.upper : std::min(part.lower + u * (part.upper - part.lower), part.upper);
 }
 
-// The cubic with the inverse's values and slopes at both ends of the leaf, slopes cut where it would not
-// rise.
+// Initial guess: the cubic Hermite interpolant of the inverse function on the leaf, with slopes limited so
+// that it stays monotone.
 double LengthTable::guess(size_t leaf, double part) const noexcept {
     const double whole = leaves_[leaf].length, share = part / whole, rest = 1 - share;
     const double first = std::min(whole / end_speeds_[leaf][0], 3.0);
@@ -136,8 +137,8 @@ double LengthTable::guess(size_t leaf, double part) const noexcept {
     return x > 0 && x < 1 ? x : share;
 }
 
-// The length between places. Over short steps Simpson's rule errs by less than step^5 of the fourth
-// derivative / 2880, which is rounding on a leaf.
+// The length between two places of a leaf. Over short steps, the error of Simpson's rule is at most
+// step^5 / 2880 times the fourth derivative of the speed, which is below rounding on a leaf.
 double LengthTable::step_length(size_t leaf, double from, double to, double speed_from, double speed_to,
                                 double *work) const noexcept {
     constexpr double shortest = 1e-4;
@@ -161,7 +162,7 @@ double LengthTable::solve(size_t leaf, double part, double *work) const noexcept
         const bool newton = next > lower && next < upper;
         next = newton ? next : lower / 2 + upper / 2;
         if (next == x || (newton && std::abs(next - x) <= 1e-10 * x)) {
-            return next; // its error is of the order of the square
+            return next; // Newton's method converges quadratically
         }
         const double slope_there = speed(leaf, next, work);
         length += step_length(leaf, x, next, slope, slope_there, work);

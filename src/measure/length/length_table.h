@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lengths along a curve as a function of the parameter, and its inverse.
+// Arc length as a function of the parameter, and its inverse.
 #pragma once
 
 #include "base/records.h"
@@ -9,29 +9,29 @@
 
 namespace nrb::measure {
 
-// The parts of a curve on which one rule gives the length to double precision. Kept with the spline, since it
-// takes as long as several lengths.
+// The leaves of a curve, on each of which one rule gives the length to double precision. Kept with the
+// spline, because making the table takes as long as computing several lengths.
 class LengthTable {
 public:
     explicit LengthTable(const Spline &curve);
     static const LengthTable &of(const Spline &curve);
 
-    // Of the model divided by 2^exponent(), as all lengths here.
+    // All lengths here are those of the model divided by 2^exponent().
     [[nodiscard]] double total() const noexcept { return starts_.back(); }
     [[nodiscard]] double error() const noexcept { return error_; }
     [[nodiscard]] int exponent() const noexcept { return pieces_.exponent(); }
-    // Doubles of working memory that the functions below need.
+    // The doubles of working memory that the functions below need.
     [[nodiscard]] size_t work_size() const noexcept;
-    // Multiply-adds of a rule on a part of a leaf.
+    // The multiply-adds of a rule on a part of a leaf.
     [[nodiscard]] int64_t work_of_a_place() const noexcept;
-    // From the start of the domain; precondition: t in it. Cost: one rule.
+    // The length from the start of the domain to t. Precondition: t is in the domain. Cost: one rule.
     [[nodiscard]] double length_at(double t, double *work) const noexcept;
-    // The first parameter at a length in [0, total()]: Newton's method with the speed as derivative, inside a
-    // bracket. Cost: about three rules.
+    // The first parameter with a given length in [0, total()], by Newton's method inside a bracket with the
+    // speed as derivative. Cost: about three rules.
     [[nodiscard]] double param_at(double length, double *work) const noexcept;
 
-    // Throws Status::not_converged unless lengths are good to this tolerance, of `part` if that is less
-    // than the total, and not_representable.
+    // Throws Status::not_converged unless lengths are accurate to this tolerance, relative to `part` or the
+    // total, whichever is smaller; and not_representable.
     void check(double relative_tolerance, double part) const;
 
 private:
@@ -50,18 +50,18 @@ private:
     SpeedPieces pieces_;
     std::vector<LengthLeaf> leaves_;
     std::vector<double> nets_;
-    std::vector<double> starts_; // lengths up to each leaf, and the total
-    std::vector<double> params_; // where each leaf begins
+    std::vector<double> starts_; // length up to each leaf, then the total
+    std::vector<double> params_; // parameter at which each leaf begins
     std::vector<std::array<double, 2>> end_speeds_;
     double error_ = 0;
 };
 
-// Lengths from the start of the domain. Preconditions: params in the domain.
+// Lengths from the start of the domain to parameters. Precondition: the parameters are in the domain.
 void curve_lengths(const Spline &curve, const ConstRecords &params, double relative_tolerance,
                    const Records &out);
 
-// Parameters at lengths. Throws Status::length for a length that is not finite, or outside unless
-// `clamp`.
+// Parameters at given lengths. Throws Status::length for a length that is NaN or, unless `clamp`, outside
+// [0, total].
 void curve_params_at_lengths(const Spline &curve, const ConstRecords &lengths, double relative_tolerance,
                              bool clamp, const Records &out);
 

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Vec8 = hn::CappedTag<double, 8>;
 
-// kDegree: -1 if it is not known to the compiler.
+// kDegree: -1 if it is not a compile-time constant.
 template <int kDegree>
 HWY_INLINE hn::Vec<Vec8> polynomial(const double *HWY_RESTRICT row, const double *HWY_RESTRICT basis,
                                     int degree) {
@@ -48,7 +48,7 @@ HWY_INLINE hn::Vec<Vec8> speed(const SpeedForm &form, const double *HWY_RESTRICT
     return hn::Div(speed, hn::Mul(w, w));
 }
 
-// Calls with the degrees of cubics as constants: visit<kDegree, kWeights>().
+// Calls visit<kDegree, kWeights>() with the degrees as constants for cubics.
 template <class Visit>
 HWY_INLINE void with_degrees(const SpeedForm &form, Visit &&visit) {
     if (form.degree == 4 && form.weight_degree == 3) {

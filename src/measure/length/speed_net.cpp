@@ -18,7 +18,7 @@ struct Extent {
     double least, most;
 };
 
-// Of the magnitudes of the weights; least <= 0 if they are not of one sign.
+// The range of the weights' magnitudes; least <= 0 if they do not have one sign.
 Extent weight_extent(int degree, const double *w) noexcept {
     if (degree < 0) {
         return {1, 1};
@@ -32,8 +32,8 @@ Extent weight_extent(int degree, const double *w) noexcept {
     return extent;
 }
 
-// kDegree: 0 if it is not known to the compiler. No branch but the loops: whether a coefficient passes is as
-// good as random on a tangle.
+// kDegree: 0 if it is not a compile-time constant. The loops contain no branches, because on a tangled curve
+// it is as good as random whether a coefficient passes.
 template <int kDegree>
 NetShape shape_of(const SpeedForm &form, const double *net) noexcept {
     constexpr double least_cosine = 0.25, most_ratio = 64, none = 1e-8;
@@ -58,7 +58,7 @@ NetShape shape_of(const SpeedForm &form, const double *net) noexcept {
     }
     const double upper = largest / (most_ratio * most_ratio), lower = none * none * largest;
     const double least = least_cosine * least_cosine * square;
-    double beside = -infinity, between = -infinity; // positive where a coefficient is
+    double beside = -infinity, between = -infinity; // positive if a coefficient is beside, or between
     for (size_t i = 0; i < count; ++i) {
         beside = std::max(beside, least * squares[i] - along[i] * std::abs(along[i]));
         between = std::max(between, std::min(upper - squares[i], squares[i] - lower));
@@ -68,8 +68,8 @@ NetShape shape_of(const SpeedForm &form, const double *net) noexcept {
             square < infinity ? largest : infinity, weights.least};
 }
 
-// subdivide() of one row in registers: the compiler would store pairs and load them again from
-// halfway inside, for which processors wait.
+// subdivide() for one row in registers. Compilers otherwise store pairs of numbers and load other pairs that
+// straddle them, which stalls processors.
 template <size_t kDegree>
 void halve_row(const std::array<double, kDegree + 1> &row, double *values, double *lower) noexcept {
     lower[0] = row[0];
@@ -119,7 +119,7 @@ void cross_terms(int p, const double *a, const double *w, double *out) noexcept 
     }
 }
 
-// All factors of a cubic are known.
+// For cubics, with all factors as constants.
 void cross_terms_of_cubic(const double *a, const double *w, double *out) noexcept {
     const auto cross = [&](int i, int j) { return a[j] * w[i] - a[i] * w[j]; };
     out[0] = 3 * cross(0, 1);

@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
-// What the coefficients of a speed tell without a node, and their halves.
+// Bounds and a regularity test from the coefficients of a speed, without evaluation at nodes; and its halves.
 #pragma once
 
 #include "measure/length/speed_kernel.h"
 
 namespace nrb::measure {
 
-// What the coefficients of a net tell of features that are narrower than the nodes are apart: peaks where the
-// weights differ much, dips and zeros where the curve turns sharply.
+// Detects features that are narrower than the distance between nodes: peaks where weights differ much, and
+// dips and zeros where the curve turns sharply.
 struct NetShape {
-    // The weights have one sign, all coefficients of N are within 75 degrees of their sum, and weights and
-    // coefficients differ by a factor of at most 64. Dips of relative width 1e-8 are ignored: they change a
-    // length by 1e-16 of it.
+    // All weights have one sign and differ by a factor of at most 64; all coefficients of N are within 75
+    // degrees of their sum, and their lengths differ by a factor of at most 64. Coefficients shorter than
+    // 1e-8 of the longest one are ignored: dips of that relative width change a length by 1e-16 of it.
     bool even;
-    double square; // of the longest coefficient of N, at most; infinite if the sum overflows
-    double weight; // the smallest one if all have one sign, else not positive
+    double square; // upper bound on |N|^2: that of the longest coefficient; infinite if the sum overflows
+    double weight; // smallest magnitude of a weight if all have one sign, else not positive
 
-    // Of the length; infinite if nothing is known.
+    // An upper bound on the length; infinite if nothing is known.
     [[nodiscard]] double bound() const noexcept;
 };
 NetShape net_shape(const SpeedForm &form, const double *net) noexcept;
 
-// N of a rational curve w C of degree p whose coefficients are `a` of one coordinate and `w` of the weight:
-// A' w - A w', which is the sum over i < j of (j - i) C(p, i) C(p, j) (a_j w_i - a_i w_j) t^(i + j - 1)
-// (1 - t)^(2 p - 1 - i - j). Writes 2 p - 1 coefficients. Precondition: p > 0.
+// The numerator N = A' w - A w' of a rational curve A / w of degree p, for one coordinate with coefficients
+// `a` and the weight with coefficients `w`. It is the sum over i < j of (j - i) C(p, i) C(p, j)
+// (a_j w_i - a_i w_j) t^(i + j - 1) (1 - t)^(2 p - 1 - i - j). Writes 2 p - 1 coefficients. Precondition:
+// p > 0.
 void wronskian(int p, const double *a, const double *w, double *out) noexcept;
 
-// Both halves of a net, of half the speed: the upper one in its place.
+// Halves a net; the derivatives with respect to the parameter of a half have half the speed. The upper half
+// replaces the net.
 void halve_net(const SpeedForm &form, double *net, double *lower) noexcept;
 
 } // namespace nrb::measure

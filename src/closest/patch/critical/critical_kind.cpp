@@ -13,9 +13,9 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr std::array along{0.0, 0.25, 0.5, 0.75, 1.0}; // places on an axis
+constexpr std::array along{0.0, 0.25, 0.5, 0.75, 1.0}; // sample positions on an axis
 
-// The signs of slopes and of second derivatives.
+// Accumulates the signs of slopes and second derivatives.
 class Signs {
 public:
     void add(double value, double error) noexcept {
@@ -34,7 +34,7 @@ private:
     bool rises_ = true, falls_ = true, open_ = false;
 };
 
-// Whether a line of parameters along an axis is one point.
+// Whether the line of parameters through a place along an axis is mapped to one point.
 bool is_point(const CriticalQuery &query, const PatchItem &whole, AxisValues at, size_t axis) {
     const std::vector<double> first = query.point(whole, at);
     return std::all_of(along.begin(), along.end(), [&](double t) {
@@ -43,7 +43,8 @@ bool is_point(const CriticalQuery &query, const PatchItem &whole, AxisValues at,
     });
 }
 
-// Whether the distance is critical in all directions that meet in a line of parameters which is one point.
+// For a line of parameters that is one point: whether the distance is critical in all directions that meet
+// there.
 bool is_critical_point(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                        AxisValues at, size_t axis) {
     const PatchJet here = query.descent().jet(whole.values, at);
@@ -52,7 +53,7 @@ bool is_critical_point(const CriticalQuery &query, const PatchFace &face, const 
         const PatchJet jet = query.descent().jet(whole.values, at);
         bool critical = true;
         const auto axes = static_cast<size_t>(query.shape().axes);
-        for (size_t j = 0; j < axes; ++j) { // an edge that is a point: like a corner
+        for (size_t j = 0; j < axes; ++j) { // where an edge collapses, the point is like a corner
             critical = critical && (face.side[j] < 0 || jet.gradient[j] * here.gradient[j] > 0);
         }
         for (int l = 0; l < face.shape.axes; ++l) {
@@ -65,7 +66,7 @@ bool is_critical_point(const CriticalQuery &query, const PatchFace &face, const 
     });
 }
 
-// Second derivatives along the face by unit lengths; 0 where the tangent vanishes.
+// The second derivatives along the face with respect to unit tangents; 0 where a tangent vanishes.
 AxisMatrix unit_hessian(const PatchFace &face, const PatchJet &jet, double noise) {
     AxisMatrix hessian{};
     for (int k = 0; k < face.shape.axes; ++k) {
@@ -90,7 +91,7 @@ void add_bends(const CriticalQuery &query, const PatchFace &face, const PatchIte
         trace += std::abs(bend);
         vanishes = vanishes || (bend == 0 && is_point(query, whole, at, face.shape_axis(k)));
     }
-    if (vanishes && n == 1) { // nothing to count along a point
+    if (vanishes && n == 1) { // along a collapsed edge, second derivatives say nothing
         return;
     }
     const AxisVector values = symmetric_eigenvalues(n, hessian);

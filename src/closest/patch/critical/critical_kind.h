@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a place is at which the distance is critical along a face.
+// Classification of places at which the distance is critical along a face.
 #pragma once
 
 #include "closest/patch/critical/critical_query.h"
@@ -7,13 +7,15 @@
 
 namespace nrb::closest {
 
-// A critical_ constant, by the slopes inwards and the second derivatives along the face.
+// A critical_ constant, from the inward derivatives at the boundary and the second derivatives along the
+// face.
 int32_t kind_at(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                 const AxisValues &at);
 
-// Where a tangent vanishes at a pole the derivative along it does too, whatever the point: there all
-// directions count. At a cusp, where points elsewhere along the axis are others, the place is critical all
-// the same.
+// Where a tangent vanishes, the derivative of the distance along it vanishes too, wherever the query point
+// is. At a pole, where a whole line of parameters is one point, the place is therefore critical only if the
+// distance is critical in all directions that meet there. At a cusp, where the points along that axis differ,
+// the place counts as critical.
 bool is_critical(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                  const AxisValues &at);
 

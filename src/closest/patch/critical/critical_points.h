@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The critical points that a search has found, each of them once.
+// The critical points that a search has found, without duplicates.
 #pragma once
 
 #include "closest/locator.h"
@@ -10,12 +10,12 @@
 
 namespace nrb::closest {
 
-// A place in a piece where the distance may have a minimum.
+// A place in a piece at which the distance may have a minimum.
 struct MinimumCandidate {
     int64_t piece;
     AxisValues at;
     double distance;
-    bool certain = false; // it is a minimum, by second derivatives in all pieces around
+    bool certain = false; // it is a minimum, by the second derivatives in all adjacent pieces
 };
 
 class CriticalPoints {
@@ -23,11 +23,12 @@ public:
     explicit CriticalPoints(const CriticalQuery &query)
         : query_(query), places_(query.shape().dim, query.near()) {}
 
-    // Whether the point, which is at this place of a piece, is nearer to one of them than the tolerance.
+    // Whether `point`, which is at this place of a piece, coincides to the tolerance with a point that was
+    // found.
     [[nodiscard]] bool has(const std::vector<double> &point, const PatchItem &whole,
                            const AxisValues &at) const;
     [[nodiscard]] bool full() const noexcept { return found_.size() >= 4096; }
-    // A place of a piece as far as it is in the range.
+    // Adds the point at a place of the part of a piece that lies in the range.
     void add(const PatchItem &whole, const AxisValues &at, int32_t kind);
 
     [[nodiscard]] size_t size() const noexcept { return found_.size(); }
@@ -41,9 +42,9 @@ private:
 
     const CriticalQuery &query_;
     std::vector<CriticalPoint> found_;
-    std::vector<MinimumCandidate> candidates_; // the same
-    std::vector<std::vector<double>> points_;  // the same
-    NearPoints places_;                        // the same
+    std::vector<MinimumCandidate> candidates_; // parallel to found_
+    std::vector<std::vector<double>> points_;  // parallel to found_
+    NearPoints places_;                        // the same points, for has()
 };
 
 } // namespace nrb::closest

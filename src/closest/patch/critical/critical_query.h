@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One query for critical points: its point among the pieces, and when rounding hides what happens there.
+// One query for critical points: its point in the frame of the pieces, and what rounding allows to decide.
 #pragma once
 
 #include "closest/patch/patch_place.h"
@@ -8,11 +8,11 @@
 
 namespace nrb::closest {
 
-// What has been left open so far.
+// What the search has left open so far.
 struct CriticalGaps {
-    bool incomplete = false; // the budget has ended, or the deepest part was reached
-    bool connected = false;  // some points are not isolated
-    bool doubtful = false;   // double precision does not tell whether a point is critical
+    bool incomplete = false; // the budget has ended, or the limit of depth was reached
+    bool connected = false;  // some critical points are not isolated
+    bool doubtful = false;   // double precision does not decide whether a point is critical
 };
 
 class CriticalQuery {
@@ -26,11 +26,11 @@ public:
     [[nodiscard]] const PatchDescent &descent() const noexcept { return descent_; }
     [[nodiscard]] PatchMemory &memory() const noexcept { return memory_; }
 
-    // What rounding may change in a distance.
+    // A bound on the effect of rounding on a distance.
     [[nodiscard]] double noise() const noexcept { return noise_; }
-    // Points nearer to each other are one.
+    // Points at most this far apart count as one.
     [[nodiscard]] double near() const noexcept { return near_; }
-    // A piece about the query point, as far as it is in the range.
+    // The part of a piece that lies in the range, relative to the query point.
     [[nodiscard]] PatchItem piece_in_range(int64_t piece) const;
     [[nodiscard]] std::vector<double> point(const PatchItem &whole, const AxisValues &at) const;
     [[nodiscard]] double apart(const std::vector<double> &a, const std::vector<double> &b) const noexcept;

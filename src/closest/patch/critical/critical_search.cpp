@@ -11,9 +11,9 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr int deepest = 26;             // halvings of an axis
-constexpr int64_t work_of_a_value = 12; // of a product: squares, their derivatives, and bounds of them
-constexpr int shallow = 8;              // before a singular matrix is looked at
+constexpr int deepest = 26;             // halvings per axis
+constexpr int64_t work_of_a_value = 12; // per value of a product: squares, derivatives, bounds
+constexpr int shallow = 8;              // halvings per axis before a singular matrix counts
 
 } // namespace
 
@@ -85,11 +85,11 @@ void CriticalSearch::split(const Target &target, FacePart &part, int axis) {
     examine(target, part);
 }
 
-// Whether nothing more is to be learnt of a part by halving it; otherwise the axis to halve it along.
+// Whether halving a part gives no more information; otherwise `axis` is the one to halve it along.
 bool CriticalSearch::finished(const Target &target, const FacePart &part, int &axis) {
     const PatchMemory::Hold hold(query_.memory());
     const PatchShape &shape = target.face.shape;
-    axis = part.longest_axis(target.face); // unless something better is known
+    axis = part.longest_axis(target.face); // unless the second derivatives suggest a better one
     const bool too_deep = part.depth > deepest * shape.axes;
     const double moved =
         target.whole.moved + (part.depth + 1) * shape.degree(axis) * eps * target.whole.reach;
@@ -98,7 +98,7 @@ bool CriticalSearch::finished(const Target &target, const FacePart &part, int &a
         gaps_.incomplete = gaps_.incomplete || too_deep;
         return too_deep;
     }
-    const bool flat = slopes.spread() <= 8 * query_.noise(); // one point, or many at one distance
+    const bool flat = slopes.spread() <= 8 * query_.noise(); // a single point, or many points at one distance
     if (excluded(slopes, flat, target.whole.piece)) {
         return true;
     }
@@ -117,13 +117,13 @@ bool CriticalSearch::finished(const Target &target, const FacePart &part, int &a
     return false;
 }
 
-// Whether there is no critical point in a part, or none besides a pole.
+// Whether a part has no critical point, or none apart from a pole.
 bool CriticalSearch::excluded(PatchSlopes &slopes, bool flat, int64_t piece) {
     return slopes.least() > limit_ || slopes.monotone() || (flat && slopes.slanted()) ||
            poles_.absorbs(slopes, flat, piece);
 }
 
-// A part whose distances agree, or that is too small to be halved, stands for all of its points.
+// A part whose distances agree to rounding, or that is too small to be halved, is represented by its middle.
 void CriticalSearch::add_all(const Target &target, const FacePart &part, const PatchSlopes &slopes) {
     const AxisValues at = part.middle(target.face);
     const std::vector<double> point = query_.point(target.whole, at);
@@ -134,8 +134,8 @@ void CriticalSearch::add_all(const Target &target, const FacePart &part, const P
     }
 }
 
-// A critical point in the part; false if none is found, or if it is a pole, where the matrix is singular for
-// no other reason.
+// Finds a critical point in the part by Newton's method. False if none is found, or if it is a pole, which
+// alone explains a singular matrix.
 bool CriticalSearch::find(const Target &target, const FacePart &part, bool singular) {
     const std::optional<NewtonResult> found = newton(query_, target.face, target.whole, part);
     if (!found ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search of faces of pieces for places where the distance is critical along them.
+// Subdivision search on faces of pieces for the places at which the distance is critical along the face.
 #pragma once
 
 #include "closest/patch/critical/face_part.h"
@@ -13,7 +13,7 @@ namespace nrb::closest {
 
 class CriticalSearch {
 public:
-    // With `minima`, other kinds are not wanted.
+    // minima: only minima are wanted.
     CriticalSearch(const PieceGrid &pieces, const Query &query, bool minima);
 
     [[nodiscard]] const CriticalQuery &query() const noexcept { return query_; }
@@ -21,11 +21,11 @@ public:
     [[nodiscard]] const MinimumVotes &votes() const noexcept { return votes_; }
     [[nodiscard]] const CriticalGaps &gaps() const noexcept { return gaps_; }
 
-    // Distances above a limit are not wanted.
+    // Places at a larger distance are not wanted.
     void set_limit(double limit) noexcept { limit_ = limit; }
     void find_poles() { poles_.find(); }
     [[nodiscard]] bool is_pole(const PatchFace &face) const noexcept { return poles_.holds(face); }
-    // One face of each of the pieces.
+    // Searches one face of each of the pieces.
     void search(const PatchFace &face, const std::vector<int64_t> &pieces);
 
 private:
@@ -53,7 +53,7 @@ private:
     PatchPoles poles_;
     MinimumVotes votes_;
     double limit_ = std::numeric_limits<double>::infinity();
-    int64_t cost_ = 1, spent_ = 0, budget_ = 0; // of parts
+    int64_t cost_ = 1, spent_ = 0, budget_ = 0; // in parts, weighted by their number of coefficients
 };
 
 } // namespace nrb::closest

@@ -14,7 +14,7 @@ constexpr int most_newton_steps = 40;
 
 enum class Step { on, converged, lost };
 
-// Steps may leave the part by its length on the way.
+// One Newton step. Iterates may leave the part by up to its length.
 Step newton_step(const PatchFace &face, const FacePart &part, const PatchJet &jet, AxisValues &at) {
     const int n = face.shape.axes;
     AxisMatrix hessian{};
@@ -40,7 +40,7 @@ Step newton_step(const PatchFace &face, const FacePart &part, const PatchJet &je
     return converged ? Step::converged : Step::on;
 }
 
-// Moves a place that is outside by no more than rounding.
+// Moves a place that is outside by no more than rounding into the part; false if it is farther outside.
 bool move_inside(const PatchFace &face, const FacePart &part, AxisValues &at) noexcept {
     for (int k = 0; k < face.shape.axes; ++k) {
         const auto i = static_cast<size_t>(k);

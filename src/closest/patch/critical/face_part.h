@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of a face of a piece, and Newton's method in it.
+// A part of a face of a piece, and Newton's method for critical points on it.
 #pragma once
 
 #include "closest/patch/critical/critical_query.h"
@@ -10,11 +10,11 @@
 namespace nrb::closest {
 
 struct FacePart {
-    double *values;           // coefficients about the query point
+    double *values;           // coefficients relative to the query point
     AxisValues lower, length; // in the piece, along the axes of the face
     int depth;
 
-    // As a place in the piece.
+    // The middle, as a place in the piece.
     [[nodiscard]] AxisValues middle(const PatchFace &face) const noexcept;
     [[nodiscard]] int longest_axis(const PatchFace &face) const noexcept;
 };
@@ -23,8 +23,8 @@ struct NewtonResult {
     AxisValues at; // in the piece
     bool converged;
 };
-// From the middle of a part to a place in it where the distance is critical along the face. None if the steps
-// lead out of the part.
+// Newton's method from the middle of a part to a place in it where the distance is critical along the face.
+// Empty if it leaves the part.
 std::optional<NewtonResult> newton(const CriticalQuery &query, const PatchFace &face, const PatchItem &whole,
                                    const FacePart &part);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a point that several pieces meet in is a minimum: each piece has a vote.
+// Decides whether a point at which several pieces meet is a minimum: each piece has one vote.
 #pragma once
 
 #include "closest/near_points.h"
@@ -11,16 +11,16 @@ namespace nrb::closest {
 
 class MinimumVotes {
 public:
-    // Points of `dim` coordinates that are nearer to each other than `near` are one.
+    // near: points of `dim` coordinates that are at most this far apart count as one.
     MinimumVotes(int dim, double near) : points_(dim, near) {}
 
-    // What one face of a piece says of a point of it. Kind: a critical_ constant. A piece may have several
-    // faces there. Faces that contradict each other leave its vote open; one that decides nothing does not
-    // count beside others.
+    // The verdict of one face of a piece on a point of it. Kind: a critical_ constant. If several faces of a
+    // piece meet at the point, contradicting verdicts leave its vote open, and undecided ones do not count
+    // beside others.
     void add(const std::vector<double> &point, int64_t piece, int32_t kind);
 
     enum class Result { denied, open, certain };
-    // Denied by one piece, or certain to all pieces that have a vote.
+    // Denied if one piece denies the minimum; certain if all pieces that voted confirm it.
     [[nodiscard]] Result result(const std::vector<double> &point) const;
 
 private:

@@ -24,7 +24,7 @@ CriticalSet critical_points(const PieceGrid &pieces, const Query &query) {
     }
     search.find_poles();
     for (int code = 0; code < face_count(pieces.shape()); ++code) {
-        const Phase phase; // inner faces first
+        const Phase phase; // faces of higher dimension first
         const PatchFace face = face_of(pieces.shape(), code);
         if (is_boundary(pieces, query, face) && !search.is_pole(face)) {
             search.search(face, pieces_at(pieces, query, face));
@@ -33,14 +33,14 @@ CriticalSet critical_points(const PieceGrid &pieces, const Query &query) {
     return {search.points().sorted(), status_of(search.gaps())};
 }
 
-// Faces of pieces inside the domain are searched too, because creases may have minima, and so are seams.
+// Includes the faces between pieces, since there may be minima along creases, and seams.
 MinimumCandidates minimum_candidates(const PieceGrid &pieces, const Query &query,
                                      const std::vector<int64_t> &among, double limit) {
     CriticalSearch search(pieces, query, true);
     search.set_limit(limit);
     search.find_poles();
     for (int code = 0; code < face_count(pieces.shape()); ++code) {
-        const Phase phase; // inner faces first
+        const Phase phase; // faces of higher dimension first
         search.search(face_of(pieces.shape(), code), among);
     }
     MinimumCandidates result{{}, search.gaps()};

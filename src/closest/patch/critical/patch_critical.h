@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// All critical points of the distance from a point on a surface or volume.
+// All critical points of the distance from a point to a surface or volume.
 //
-// A part of a piece on which the distance rises or falls throughout along some axis has no critical point. A
-// part on which the matrix of the second derivatives is regular has at most one, which Newton's method finds.
-// All others are halved (Sherbrooke & Patrikalakis, "Computation of the solutions of nonlinear polynomial
-// systems", CAGD 10, 1993).
+// The method is subdivision with exclusion and uniqueness tests. A part of a piece on which the distance
+// increases or decreases throughout along some axis has no critical point. A part on which the interval
+// matrix of the second derivatives is regular has at most one, which Newton's method finds. All other parts
+// are halved (Sherbrooke & Patrikalakis, "Computation of the solutions of nonlinear polynomial systems", CAGD
+// 10, 1993).
 #pragma once
 
 #include "closest/locator.h"
@@ -16,8 +17,8 @@ namespace nrb::closest {
 
 CriticalSet critical_points(const PieceGrid &pieces, const Query &query);
 
-// The places in some pieces where the distance, if it is at most a limit, may have a minimum: critical points
-// of the pieces, of their faces and edges, and corners.
+// The places in some pieces at which the distance, if it is at most a limit, may have a minimum: critical
+// points in the interiors of the pieces and along their faces and edges, and corners.
 struct MinimumCandidates {
     std::vector<MinimumCandidate> candidates;
     CriticalGaps gaps;

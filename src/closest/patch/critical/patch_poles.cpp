@@ -11,9 +11,9 @@ namespace nrb::closest {
 
 namespace {
 
-constexpr int samples = 8; // of a piece, around a pole
+constexpr int samples = 8; // per piece, around a pole
 
-// The axis at an end of which a side of a surface is.
+// The axis at one of whose ends a side of a surface lies.
 int end_axis(const PatchFace &face) noexcept {
     return face.side[0] >= 0 ? 0 : 1;
 }
@@ -25,7 +25,7 @@ void PatchPoles::find() {
     if (query_.shape().axes != 2 || pieces.spline_axes() != 2) {
         return;
     }
-    for (const int code : {1, 2, 3, 6}) { // the four sides
+    for (const int code : {1, 2, 3, 6}) { // codes of the four sides
         const PatchFace face = face_of(query_.shape(), code);
         if (is_boundary(pieces, query_.query(), face)) {
             const PatchMemory::Hold hold(query_.memory());
@@ -34,7 +34,8 @@ void PatchPoles::find() {
     }
 }
 
-// Whether all control points on a side of a piece are one point, which is that of the pieces before.
+// Whether all control points on a side of a piece coincide with each other and with `point`, the common one
+// of the pieces tested before.
 bool PatchPoles::collapses(const PatchFace &face, const PatchItem &whole, std::vector<double> &point) const {
     const PatchShape &shape = query_.shape();
     const auto dim = static_cast<size_t>(shape.dim);
@@ -69,7 +70,8 @@ void PatchPoles::find(const PatchFace &face) {
     if (pieces.empty()) {
         return;
     }
-    // Where a difference of distances, of the second order in this, is many times the noise.
+    // Within this radius, points cannot be told apart: at its end, the second-order change of the distance is
+    // many times the noise.
     const double length = norm(pole.point.data(), query_.shape().dim), noise = query_.noise();
     pole.radius = std::max(query_.near(), 16 * std::sqrt(noise * (length + noise)));
     pole.piece = pieces.front();
@@ -92,7 +94,8 @@ void PatchPoles::add_point(const Pole &pole) {
     points_.add(query_.piece_in_range(pole.piece), pole.at, pole.kind);
 }
 
-// A point beside the pole, at `along` of the edge, that is as far from it as its radius, or nearer.
+// A point beside the pole, at parameter `along` of the edge and at most the pole's radius away from it, as
+// far as that is found by halving. Reduces the height of the strip accordingly.
 std::vector<double> PatchPoles::point_near(const PatchFace &face, const PatchItem &whole, double along,
                                            Pole &pole) const {
     const auto axis = static_cast<size_t>(end_axis(face));
@@ -116,7 +119,7 @@ std::vector<double> PatchPoles::point_near(const PatchFace &face, const PatchIte
     return point;
 }
 
-// By places around it; false if rounding hides what they tell.
+// Determines the kind of the pole from a ring of points around it; false if rounding hides the signs.
 bool PatchPoles::set_kind(const PatchFace &face, const std::vector<int64_t> &pieces, Pole &pole) const {
     const int dim = query_.shape().dim;
     const double length = norm(pole.point.data(), dim), noise = query_.noise();
@@ -136,8 +139,8 @@ bool PatchPoles::set_kind(const PatchFace &face, const std::vector<int64_t> &pie
     return ring.decides();
 }
 
-// Whether no point of the strip is nearer than a pole that is a minimum, or farther than a maximum, by more
-// than rounding. What samples say of a saddle is not proven.
+// Whether, beyond rounding, no point of the strip is nearer than a pole that is a minimum, or farther than
+// one that is a maximum. For a saddle, samples prove nothing.
 bool PatchPoles::proven(const std::vector<int64_t> &pieces, const Pole &pole) const {
     const PatchShape &shape = query_.shape();
     const pieces::PatchSquares squares(shape);
@@ -155,7 +158,7 @@ bool PatchPoles::proven(const std::vector<int64_t> &pieces, const Pole &pole) co
            });
 }
 
-// Along the edge, or at its ends, there is nothing else.
+// The edge and its ends are the pole itself, so that nothing else is to be found on them.
 bool PatchPoles::holds(const PatchFace &face) const noexcept {
     return std::any_of(poles_.begin(), poles_.end(), [&](const Pole &pole) {
         const auto axis = static_cast<size_t>(pole.axis);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The edges of a surface that are points, as at the ends of a globe, and what the distance does there.
+// Poles of a surface, edges that collapse to a point as at the ends of a globe, and how the distance behaves
+// there.
 #pragma once
 
 #include "closest/patch/critical/critical_points.h"
@@ -12,30 +13,32 @@ namespace nrb::closest {
 
 class PatchPoles {
 public:
-    // With `minima`, poles of other kinds are not wanted. Critical poles become points.
+    // minima: only poles that are minima are wanted. Critical poles are added to `points`.
     PatchPoles(const CriticalQuery &query, bool minima, CriticalPoints &points, CriticalGaps &gaps)
         : query_(query), minima_(minima), points_(points), gaps_(gaps) {}
 
     void find();
-    // Whether a face is such an edge, or an end of one.
+    // Whether a face is a collapsed edge or an end of one.
     [[nodiscard]] bool holds(const PatchFace &face) const noexcept;
-    // Whether a part of a piece belongs to a critical pole: it is as near as the tolerance, or, if distances in it agree
-    // to rounding, as rounding leaves open.
+    // Whether a part of a piece, or a point of it, belongs to a critical pole: it is within the tolerance of
+    // the pole or, if distances in it agree to rounding, within the radius in which rounding leaves distances
+    // undecided.
     [[nodiscard]] bool absorbs(const PatchSlopes &slopes, bool flat, int64_t piece);
     [[nodiscard]] bool absorbs(const std::vector<double> &point, int64_t piece);
     // Whether a point of a piece is at a critical pole, or at any pole.
     [[nodiscard]] bool critical_at(const std::vector<double> &point, int64_t piece) const noexcept;
     [[nodiscard]] bool any_at(const std::vector<double> &point, int64_t piece) const noexcept;
-    // A part at a pole that is not critical, which rounding has left open, makes the pole an undecided one.
+    // Records that rounding has left a part open at a pole that is not critical: the pole becomes an
+    // undecided point.
     void leave_open(const std::vector<double> &point, int64_t piece);
 
 private:
-    // Kind: a critical_ constant, 0 if the pole is not critical as far as is known.
+    // Kind: a critical_ constant; 0 if the pole is not known to be critical.
     struct Pole {
         std::vector<double> point;
-        double radius; // in which distances do not tell points apart
-        double height; // of a strip of parameters along the edge, no more than a radius wide
-        int axis;      // the edge is the side of the domain, or of the range, where this one ends
+        double radius; // within it, distances do not tell points apart
+        double height; // parameter width of a strip within `radius` of the pole
+        int axis;      // the edge is at an end of this axis of the domain, or of the range
         int64_t piece;
         AxisValues at;
         int32_t kind;
@@ -49,7 +52,7 @@ private:
     [[nodiscard]] bool proven(const std::vector<int64_t> &pieces, const Pole &pole) const;
     void add(Pole pole, const std::vector<int64_t> &pieces);
     void add_point(const Pole &pole);
-    // Of sheets on each other only that which has the pole counts.
+    // Whether the piece is adjacent to the pole. Where sheets coincide, only the one with the pole counts.
     [[nodiscard]] bool is_beside(const Pole &pole, int64_t piece) const noexcept;
     [[nodiscard]] bool at(const Pole &pole, const std::vector<double> &point, int64_t piece) const noexcept {
         return is_beside(pole, piece) && query_.apart(point, pole.point) <= pole.radius;

@@ -12,7 +12,7 @@ namespace nrb::closest {
 
 namespace {
 
-// The largest sum of a row of |A| |B|.
+// The largest row sum of |A| |B|.
 double product_norm(int n, const AxisMatrix &a, const AxisMatrix &b) noexcept {
     const auto size = static_cast<size_t>(n);
     double largest = 0;
@@ -68,7 +68,7 @@ void PatchSlopes::measure(const double *patch) noexcept {
     }
 }
 
-// Visits all places in the net of the product but the last shrink[k] along each axis.
+// Visits all positions in the net of the product except the last shrink[k] along each axis.
 template <class Visit>
 void PatchSlopes::for_products(const std::array<int, max_axes> &shrink, Visit &&visit) const {
     std::array<int64_t, max_axes> end{1, 1, 1}, steps{};
@@ -118,9 +118,10 @@ bool PatchSlopes::monotone() noexcept {
     return false;
 }
 
-// With S = Q / w = c + r and E = Q_k - c w_k: w S S_k = c E + r E - (c r + |r|^2) w_k. c is a coefficient,
-// the others bound r and c r, and differences of coefficients E and w_k. A coefficient is off by w moved_ and
-// the rounding of its difference.
+// The sign of S . S_k for S = Q / w. Let c be the quotient of a coefficient in the middle, r = S - c and
+// E = Q_k - c w_k; then w S . S_k = c . E + r . E - (c . r + |r|^2) w_k. The control points bound r and
+// c . r; differences of coefficients bound E and w_k. A coefficient has an error of w moved_ plus the
+// rounding of its difference.
 bool PatchSlopes::slanted() const noexcept {
     const int dim = shape_.dim;
     const double *middle = patch_ + shape_.coefficients() / 2 * shape_.lanes;
@@ -217,9 +218,11 @@ PatchSlopes::Range PatchSlopes::second(int k, int l) const {
     return range;
 }
 
-// w^2 d_kl phi = (d_kl |Q|^2 - phi d_kl w^2) - d_k phi d_l w^2 - d_l phi d_k w^2. The rows of the interval
-// matrix are slopes of the gradient (mean value theorem), which is injective if all matrices in it are
-// regular: with the inverse of the middle as factor they differ from the identity by less than 1.
+// w^2 d_kl phi = (d_kl |Q|^2 - phi d_kl w^2) - d_k phi d_l w^2 - d_l phi d_k w^2. By the mean value theorem,
+// the difference of the gradients at two points is the product of a matrix in this interval matrix with the
+// difference of the points. The gradient is therefore injective if all these matrices are regular. They are
+// if, after multiplication by the inverse of the centre, they differ from the identity by less than 1 in the
+// maximum norm.
 PatchSlopes::Matrix PatchSlopes::matrix() noexcept {
     AxisMatrix centre{}, radius{};
     double bend = -1;

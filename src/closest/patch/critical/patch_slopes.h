@@ -1,38 +1,41 @@
 // SPDX-License-Identifier: MIT
-// Bounds of the derivatives of the distance on a patch, from the Bernstein coefficients of |Q|^2 and w^2.
+// Bounds on the first and second derivatives of the squared distance on a patch, from the Bernstein
+// coefficients of |Q|^2 and w^2.
 #pragma once
 
 #include "closest/patch/patch_item.h"
 
 namespace nrb::closest {
 
-// With phi = |Q|^2 / w^2: w^2 d_k phi = d_k |Q|^2 - phi d_k w^2, whose coefficients are differences, and
-// linear in phi.
+// With phi = |Q|^2 / w^2, the squared distance: w^2 d_k phi = d_k |Q|^2 - phi d_k w^2. The coefficients of
+// the right-hand side are differences of coefficients, and linear in phi, so that the extremes of phi bound
+// it.
 class PatchSlopes {
 public:
     // moved: how far rounding may have moved the points.
     PatchSlopes(const PatchShape &shape, const pieces::PatchSquares &squares, const double *patch,
                 double moved, PatchMemory &memory);
 
-    // Whether all weights are > 0; all else presumes it.
+    // Whether all weights are positive; all other members presume it.
     [[nodiscard]] bool sound() const noexcept { return least_weight_ > 0x1p-200; }
-    // Whether the distance rises or falls throughout along some axis: then it has no critical point here.
+    // Whether the distance increases or decreases throughout along some axis, so that the patch has no
+    // critical point.
     [[nodiscard]] bool monotone() noexcept;
-    // The same by the tangents alone, for a patch that is small beside the distance: near a point to which
-    // an edge has collapsed, rounding is as small as they are.
+    // The same test by the tangents alone, for a patch that is small compared to its distance. Near a pole
+    // the coefficients of |Q|^2 differ by no more than their rounding, and monotone() decides nothing.
     [[nodiscard]] bool slanted() const noexcept;
-    // The smallest distance, or less.
+    // A lower bound on the distance.
     [[nodiscard]] double least() const noexcept;
-    // The largest distance less the smallest one, or more.
+    // An upper bound, up to rounding, on the largest distance minus the smallest one.
     [[nodiscard]] double spread() const noexcept;
-    // How far the patch reaches from a point.
+    // The largest distance of a control point from a point.
     [[nodiscard]] double extent(const double *point) const noexcept;
 
-    // Whether the matrix of the second derivatives is regular throughout: then there is one critical point at
-    // most. After monotone().
+    // Whether the matrix of the second derivatives of phi is regular on the whole patch, which then has at
+    // most one critical point. To be called after monotone().
     enum class Matrix { regular, unknown, singular };
     [[nodiscard]] Matrix matrix() noexcept;
-    // The axis along which the distance bends most; after matrix().
+    // The axis along which the second derivative is largest; after matrix().
     [[nodiscard]] int widest_axis() const noexcept { return widest_; }
 
 private:
@@ -55,12 +58,12 @@ private:
     double *weights_;
     double *centre_;
     double moved_;
-    double least_ = 0, most_ = 0; // of phi
+    double least_ = 0, most_ = 0; // of the coefficients' quotients, which bound phi
     double reach_ = 0;
     double least_weight_ = 0, most_weight_ = 0;
     double error_ = 0;                    // of a coefficient of |Q|^2 - phi w^2
-    std::array<Range, max_axes> first_{}; // of w^2 d_k phi
-    AxisValues weight_slopes_{};          // of d_k w^2 / w^2
+    std::array<Range, max_axes> first_{}; // range of w^2 d_k phi
+    AxisValues weight_slopes_{};          // bound on |d_k w^2| / w^2
     int widest_ = 0;
 };
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What the distance does around a point to which an edge of a surface has collapsed.
+// Classifies a pole of a surface by the signs of (distance at a ring of points around it) - (distance at the
+// pole).
 #pragma once
 
 #include "closest/foot.h"
 
 namespace nrb::closest {
 
-// Signs of how much larger it is than there, in cyclic order.
+// The signs are added in cyclic order.
 class PoleRing {
 public:
     void add(int sign) noexcept {
@@ -18,11 +19,12 @@ public:
         first_ = first_ == 0 ? sign : first_;
         last_ = sign;
     }
-    // Whether the ring tells what the pole is.
+    // Whether the signs determine what the pole is.
     [[nodiscard]] bool decides() const noexcept {
         return (above_ > 0 && below_ > 0) || (equal_ == 0 && above_ + below_ > 0);
     }
-    // A critical_ constant; 0 if the pole is not critical. Only extrema count in an open ring, as at corners.
+    // A critical_ constant; 0 if the pole is not critical. In an open ring, as at a corner, only extrema
+    // count.
     [[nodiscard]] int32_t kind(bool closed) const noexcept {
         if (above_ > 0 && below_ > 0) {
             return closed && changes_ + (first_ != last_ ? 1 : 0) > 2 ? critical_saddle : 0;

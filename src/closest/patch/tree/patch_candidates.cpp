@@ -23,7 +23,7 @@ PatchCandidates::Overlap PatchCandidates::inside(const PatchTree::Extent &extent
     return part;
 }
 
-// Whether the centre of a node that the range cuts is in it.
+// Whether the centre of a node that is partly in the range is in the range.
 bool PatchCandidates::holds_centre(int level, int64_t node) const noexcept {
     const PatchTree::Centre centre = tree_.centre(level, node);
     PatchTree::Extent piece{};
@@ -71,7 +71,7 @@ PatchCandidates::PatchCandidates(const PieceGrid &pieces, const PatchTree &tree,
     : pieces_(pieces), tree_(tree), query_(query), x_(x), margin_(margin) {
     Candidates other;
     Candidates *now = &leaves_, *next = &other;
-    if (tree_.levels() % 2 == 0) { // so that the last ones are in leaves_
+    if (tree_.levels() % 2 == 0) { // so that the last level ends up in leaves_
         std::swap(now, next);
     }
     reached_ = infinity;
@@ -87,7 +87,7 @@ PatchCandidates::PatchCandidates(const PieceGrid &pieces, const PatchTree &tree,
     }
 }
 
-// The leaves of a piece stand side by side.
+// The leaves of a piece are consecutive.
 void PatchCandidates::order(double limit, Groups &groups) {
     const auto nearer = [](const auto &a, const auto &b) { return a.bound < b.bound; };
     for (Candidate *first = leaves_.begin(); first != leaves_.end();) {

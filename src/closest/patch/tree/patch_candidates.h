@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The leaves of the tree that a query has to look at.
+// The leaves of the tree that a query has to examine.
 #pragma once
 
 #include "closest/foot.h"
@@ -11,11 +11,11 @@ namespace nrb::closest {
 class PatchCandidates {
 public:
     struct Candidate {
-        double bound; // of sign * distance
+        double bound; // lower bound on sign * distance
         int64_t node;
     };
     using Candidates = ShortList<Candidate, 96>;
-    // Those in one piece, in rising order of their bounds, the least of which is `bound`.
+    // The candidates in one piece in increasing order of their bounds; `bound` is the smallest one.
     struct Group {
         double bound;
         int64_t piece;
@@ -23,14 +23,14 @@ public:
     };
     using Groups = ShortList<Group, 32>;
 
-    // Those that may hold a point that is worse than the best one by no more than the margin; x as placed by
-    // the pieces.
+    // Collects the leaves that may hold a point that is worse than the best one by at most the margin. x: the
+    // query point in the frame of the pieces.
     PatchCandidates(const PieceGrid &pieces, const PatchTree &tree, const Query &query, const double *x,
                     double margin);
 
-    // The best centre seen that is in the range, or else that of a leaf which meets it.
+    // The best centre seen in the range; if there is none, the best centre of a leaf that meets the range.
     [[nodiscard]] PatchTree::Centre start() const noexcept { return tree_.centre(start_level_, start_node_); }
-    // Those whose bounds are at most a limit, in rising order of the bounds.
+    // Groups the candidates whose bounds are at most a limit, in increasing order of the bounds.
     void order(double limit, Groups &groups);
 
 private:
@@ -44,8 +44,8 @@ private:
     const Query &query_;
     const double *x_;
     double margin_;
-    double reached_ = 0; // of the best value, from above: the best centre in the range
-    double outside_ = 0; // the best centre of a leaf while there is none
+    double reached_ = 0; // upper bound on the best value: that of the best centre in the range
+    double outside_ = 0; // value of the best centre of a leaf, as long as no centre is in the range
     int start_level_ = -1;
     int64_t start_node_ = 0;
     Candidates leaves_;

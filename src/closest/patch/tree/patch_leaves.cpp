@@ -13,9 +13,9 @@ namespace nrb::closest {
 namespace {
 
 constexpr double most_byte = 127;
-constexpr int64_t work_of_a_value = 16; // of a leaf
+constexpr int64_t work_of_a_value = 16; // per number of a leaf
 
-// The scale of numbers up to a magnitude: 0 if they are.
+// The unit for numbers up to a magnitude; 0 if they are all 0.
 float scale_of(double magnitude) noexcept {
     return pieces::above(std::min(magnitude, pieces::unbounded) / most_byte);
 }
@@ -26,9 +26,9 @@ int8_t byte_of(double x) noexcept {
 
 } // namespace
 
-// As many as the memory allows, which is at most 1.5 (p + 1) (q + 1) times that of the control points with
-// all else, and 12 times for a bicubic surface. Fewer leaves for a piece when there are many pieces, which
-// are small then.
+// As many parts per axis as memory allows: everything together takes at most 1.5 min(n, 8) times the memory
+// of the control points, where n is the number of coefficients of a piece, (p + 1) (q + 1) for a surface; for
+// a bicubic one that is 12 times. If there are many pieces, they are small and get fewer leaves.
 int PatchLeaves::parts_of(const PieceGrid &pieces, bool normals) noexcept {
     const PatchShape &shape = pieces.shape();
     if (shape.axes == 0 || pieces.count() > 32768) {
@@ -38,7 +38,7 @@ int PatchLeaves::parts_of(const PieceGrid &pieces, bool normals) noexcept {
     const int64_t columns = pieces::disc_columns(shape.dim, normals);
     const double most = 1.5 * std::min<double>(static_cast<double>(shape.coefficients()), 8);
     const auto data = static_cast<double>(pieces.control_points() * shape.dim * 8);
-    // The control points, the discs of the pieces and of a third as many groups, frames, and the rest.
+    // The control points, the discs of the pieces and of groups (a third as many), frames and the rest.
     const auto others = static_cast<double>(shape.lanes * 8 + pieces::disc_frame(shape.dim) * 4 + 8) +
                         1.4 * static_cast<double>(columns * 4);
     for (int parts = wanted; parts > 1; parts /= 2) {
@@ -80,7 +80,7 @@ PatchLeaves::PatchLeaves(const pieces::PieceTree &tree)
     frames_ = std::make_unique_for_overwrite<float[]>(room(frame_size()));
 }
 
-// Axis after axis, the parts so far in the order of leaves.
+// Divides axis by axis; the parts stay in the order of leaves.
 void PatchLeaves::split(const std::vector<double> &patch, std::vector<double> &parts) const {
     const PatchShape &shape = tree_.grid().shape();
     const int64_t size = shape.values();
@@ -147,7 +147,7 @@ void PatchLeaves::round_centres(std::vector<pieces::Disc> &discs, const Discs &o
     }
 }
 
-// They are made a little shorter first, so that none is longer than 1 after rounding.
+// The normals are shortened slightly first, so that none is longer than 1 after rounding.
 void PatchLeaves::round_normals(std::vector<pieces::Disc> &discs, int16_t *out) const {
     for (size_t i = 0; i < discs.size(); ++i) {
         for (size_t c = 0; c < 3; ++c) {
@@ -160,7 +160,7 @@ void PatchLeaves::round_normals(std::vector<pieces::Disc> &discs, int16_t *out) 
     }
 }
 
-// Away from the disc.
+// Rounds outwards.
 void PatchLeaves::round_sizes(const std::vector<pieces::Disc> &discs, const Discs &out) const {
     const double rounding = tree_.rounding();
     float *scales = out.frame + dim_ + 1;
@@ -170,7 +170,7 @@ void PatchLeaves::round_sizes(const std::vector<pieces::Disc> &discs, const Disc
         radius = std::max(radius, disc.radius + rounding);
         height = std::max({height, disc.high + rounding, rounding - disc.low});
     }
-    scales[0] = scale_of(radius / 2); // bytes from -127 on
+    scales[0] = scale_of(radius / 2); // radii are stored from -127 on
     scales[1] = scale_of(height);
     const auto units = [](double size, float scale) { return scale > 0 ? size / scale * (1 + 2 * eps) : 0; };
     for (size_t i = 0; i < discs.size(); ++i) {
@@ -190,7 +190,7 @@ PatchLeaves::Discs PatchLeaves::kept(int64_t node) const noexcept {
             frames_.get() + node * frame_size()};
 }
 
-// No thread waits: one that comes while another one writes goes on with what it has made itself.
+// No thread waits: one that arrives while another one is writing uses the discs that it has made itself.
 void PatchLeaves::keep(int64_t node, const Discs &made) const noexcept {
     std::atomic<State> &state = states_[static_cast<size_t>(node)];
     State missing = State::missing;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The leaves of the tree: equal parts of each piece, with discs around them, made when a query looks at the piece.
+// The leaves of the tree: equal parts of each piece with their bounding discs, made when a query first
+// examines the piece.
 //
-// These discs are by far the most, so that each of their numbers takes one byte: centres relative to the
-// middle of those of a piece, radii and heights relative to the largest one. Normals take two bytes, because
-// what they lose counts by the distance of the query. Centres and normals are rounded first, then the discs
-// make room for all points, so that they hold them whatever the bytes lose.
+// Most of the tree's discs are these, so that each of their numbers takes one byte: centres are stored
+// relative to the middle of the centres of a piece, radii and heights relative to the largest one. Normals
+// take two bytes per number, because their error is multiplied by the distance of the query point. Centres
+// and normals are rounded first; radii and heights are then computed from the rounded ones and rounded
+// outwards, so that the discs contain all points whatever the rounding.
 #pragma once
 
 #include "closest/patch/patch_names.h"
@@ -19,32 +21,32 @@ namespace nrb::closest {
 
 class PatchLeaves {
 public:
-    // Of the pieces in the order of their nodes, in a tree that outlives this.
+    // The leaves of the pieces in the order of their nodes. The tree must outlive this object.
     explicit PatchLeaves(const pieces::PieceTree &tree);
 
-    // Along each axis of the shape; with 1, pieces have no leaves of their own.
+    // The number of parts along each axis of the shape; 1: pieces have no leaves of their own.
     [[nodiscard]] int parts() const noexcept { return parts_; }
-    [[nodiscard]] int64_t count() const noexcept { return count_; } // of a piece
-    // Gives part i of an axis of the shape.
+    [[nodiscard]] int64_t count() const noexcept { return count_; } // leaves per piece
+    // The pieces::part_matrix() for part i of an axis of the shape.
     [[nodiscard]] const double *matrix(int axis, int part) const noexcept {
         const auto &matrices = matrices_[static_cast<size_t>(axis)];
         return matrices.data() + std::ssize(matrices) / parts_ * part;
     }
-    // Bounds of the leaves of a node, which may have to be made: throws std::bad_alloc, CallEnded.
+    // Bounds for the leaves of a node, which are made if necessary. Throws std::bad_alloc, CallEnded.
     void bound(int64_t node, const double *x, bool farthest, const pieces::DiscBounds &out) const;
 
 private:
-    // Those of one node; each array has numbers after the last disc that may be read.
+    // The discs of one node. Each array has readable numbers after its last disc.
     struct Discs {
         int8_t *columns;  // [column][leaf]
         int16_t *normals; // [coordinate][leaf]
-        float *frame;     // as pieces::ByteDiscs has it
+        float *frame;     // laid out as in pieces::ByteDiscs
     };
     enum class State : uint8_t { missing, written, ready };
 
     [[nodiscard]] static int parts_of(const PieceGrid &pieces, bool normals) noexcept;
     void set_matrices(const PatchShape &shape);
-    // The numbers of a node in each array.
+    // The length of each array for one node.
     [[nodiscard]] int64_t columns_size() const noexcept {
         return count_ * (dim_ + (has_normals_ ? 3 : 1)) + read_over_;
     }
@@ -67,10 +69,10 @@ private:
     int parts_ = 1;
     int64_t count_ = 1;
     int64_t read_over_ = 0;
-    double off_ = 0; // how far a centre is from the surface, relative to its scale
+    double off_ = 0; // bound on how far rounding moves a centre, relative to the scale of the centres
     std::array<std::vector<double>, max_axes> matrices_;
-    // Of all nodes. What a node has is written once, by the thread that sets its state to `written`, and read when
-    // it is `ready`.
+    // Data of all nodes. The data of a node are written once, by the thread that sets its state to `written`,
+    // and are read once the state is `ready`.
     std::unique_ptr<std::atomic<State>[]> states_;
     std::unique_ptr<int8_t[]> columns_;
     std::unique_ptr<int16_t[]> normals_;
