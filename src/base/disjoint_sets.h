@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that become sets step by step.
+// Disjoint sets (union-find): a partition of 0, ..., count - 1 whose sets are merged step by step.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace nrb::inline base {
 
-// A set is named by the least number in it.
+// The representative of a set is its smallest element. find() halves paths as it goes.
 class DisjointSets {
 public:
     explicit DisjointSets(size_t count) : parent_(count) {
@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    std::vector<size_t> parent_; // none above its own number
+    std::vector<size_t> parent_; // each at most its own index
 };
 
 } // namespace nrb::inline base

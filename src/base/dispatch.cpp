@@ -4,7 +4,7 @@
 #include <hwy/targets.h>
 
 #if HWY_ARCH_X86 && __has_include(<sys/platform/x86.h>)
-#if defined(__clang__) // whose stdbool.h leaves C's name out in standard C++
+#if defined(__clang__) // its stdbool.h does not define _Bool in standard C++
 #define _Bool bool     // NOLINT: the name of the C header
 #endif
 #include <sys/platform/x86.h>
@@ -18,8 +18,8 @@ namespace nrb::inline base::dispatch {
 
 namespace {
 
-// What Highway lets the compiler use. Half precision and AES are in all processors with AVX2, and no kernel
-// uses them.
+// The features that Highway lets the compiler use for a target. Half precision and AES are not tested: every
+// processor with AVX2 has them, and no kernel uses them.
 #if HWY_ARCH_X86
 bool has_avx2() noexcept {
     return NURBS_HAS(AVX2, "avx2") && NURBS_HAS(FMA, "fma") && NURBS_HAS(BMI1, "bmi") &&
@@ -32,7 +32,8 @@ bool has_avx512() noexcept {
 }
 #endif
 
-// HWY_TARGETS has those that the kernels are made for, HWY_STATIC_TARGET the one that needs no question.
+// HWY_TARGETS holds the targets that the kernels are compiled for; HWY_STATIC_TARGET is the one that every
+// processor of the build supports, so it needs no test.
 bool offers(Form form) noexcept {
 #if HWY_ARCH_X86
     switch (form) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which form of a kernel runs. Highway's headers make a form of each kernel for every instruction set; what its
-// library would choose is chosen here, so that programs need not load that library.
+// Selects the form of a kernel that runs on this processor. Highway's headers compile each kernel once for
+// every instruction set. The choice that Highway's library would make at run time is made here instead, so
+// that programs need not load that library.
 //
 //     NURBS_FORMS(run_curve);                     at the end of the file, where HWY_ONCE holds
 //     NURBS_BEST(run_curve)(job, params, out);
 //
-// A processor's features are asked of the C library where it tells them, so that it can be told to hide some:
-// GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F.
+// Where the C library reports the features of the processor, it is the one asked, because it can be told to
+// hide some of them: GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F.
 //
-// This comes before Highway's own headers, because it says which instruction sets there are.
+// This header must precede Highway's own, because it sets the instruction sets they compile for.
 #pragma once
 
 #include "base/simd.h"
@@ -19,7 +20,7 @@
 
 namespace nrb::inline base::dispatch {
 
-// Where the forms of a kernel stand in its table, the best one first.
+// Index of a form in the table of a kernel, the best form first.
 enum Form : int32_t { unknown = -1, avx512, avx2, baseline };
 
 extern std::atomic<Form> best;
@@ -30,8 +31,8 @@ inline Form best_form() noexcept {
     return form == unknown ? find_best() : form;
 }
 
-// For tests. The targets of Highway that the kernels are made for and this processor has, the best one first; and
-// the choice of one of them for all threads, or of the best one again by 0.
+// For tests. offered_targets(): the Highway targets that the kernels are compiled for and this processor
+// supports, the best first. choose(): makes all threads use one of them; 0 restores the best.
 std::vector<int64_t> offered_targets();
 void choose(int64_t target) noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one error type of the core, and how it is thrown.
+// The error type of the core, and how it is thrown.
 #pragma once
 
 #include "base/status.h"
@@ -8,7 +8,7 @@
 
 namespace nrb::inline base {
 
-// Carries a status and its message. The text is stored inside, so that throwing needs no memory
+// Carries a status and its message. The text is stored inside the object, so that throwing needs no memory
 // beyond the exception object itself.
 class Error : public std::exception {
 public:
@@ -23,12 +23,13 @@ private:
     char text_[capacity];
 };
 
-// What ends a watched call from outside. It is no Error, so that nothing that copes with failures takes it for one.
+// Thrown to end a watched call from outside (see base/watch.h). It is not derived from Error, so that no
+// handler that recovers from failures catches it.
 struct CallEnded {
     Error why;
 };
 
-// A double as text for messages: the shortest digits that name the value, whatever the locale.
+// A double as text for messages: the shortest digits that identify the value, independent of the locale.
 struct Number {
     explicit Number(double value) noexcept;
     char text[32];

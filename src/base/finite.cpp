@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::ScalableTag<double>;
 using Register = hn::Vec<Doubles>;
 
-// Comparisons with NaN are false.
+// Comparisons with NaN are false, so a NaN `value` leaves `known` unchanged.
 HWY_INLINE Register larger(Register known, Register value) {
     return hn::IfThenElse(hn::Lt(known, value), value, known);
 }
@@ -30,11 +30,10 @@ HWY_INLINE Register smaller(Register known, Register value) {
     return hn::IfThenElse(hn::Lt(value, known), value, known);
 }
 
-// Number of results computed side by side.
+// Number of independent accumulators.
 inline constexpr size_t strands = 4;
 
-// Passes whole vectors to `more`, with the number of the strand of each, and the values that are left to
-// `rest`.
+// Passes whole vectors to `more`, each with the index of its accumulator, and the remaining values to `rest`.
 template <class More, class Rest>
 HWY_INLINE void visit(std::span<const double> values, const More &more, const Rest &rest) {
     const Doubles d;
@@ -50,9 +49,9 @@ HWY_INLINE void visit(std::span<const double> values, const More &more, const Re
     }
 }
 
-// Whether no value has all of the leading exponent bits of the mask set. Values that are not finite have all
-// eleven set; values from 2^961 on have the first five set. Integer tests are used because arithmetic with
-// such values would raise floating-point exceptions.
+// Whether no value has all exponent bits of `mask` set. Values that are not finite have all eleven exponent
+// bits set; values from 2^961 on have the first five set. The tests are done on integers because arithmetic
+// with such values would raise floating-point exceptions.
 bool find_below(std::span<const double> values, uint64_t mask) {
     const hn::RebindToUnsigned<Doubles> bits;
     const auto exponent = hn::Set(bits, mask);

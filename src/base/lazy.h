@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slots for tables that are derived from an immutable object: built when needed, by any thread, then shared.
+// Slots for tables derived from an immutable object: built on demand by any thread, then shared.
 #pragma once
 
 #include "base/watch.h"
@@ -10,9 +10,9 @@
 
 namespace nrb::inline base {
 
-// Building does not count for the limit of work of the call that needs the table first. If two threads meet, both may
-// build; the first to store wins, and the other result is dropped. No thread ever waits, and a builder that throws
-// leaves the slot empty.
+// Building a table does not count towards the work limit of the call that happens to need it first. If two
+// threads build at the same time, the first to store wins and the other result is dropped. No thread ever
+// waits, and a builder that throws leaves the slot empty.
 template <class T>
 class Lazy {
 public:
@@ -30,7 +30,7 @@ public:
             return *ready;
         }
         const NotCounted kept;
-        const Phase phase(0.2); // small tables are told by no more
+        const Phase phase(0.2); // small tables do not report their progress any finer
         auto fresh = std::make_unique<const T>(build());
         const T *expected = nullptr;
         if (slot_.compare_exchange_strong(expected, fresh.get(), std::memory_order_acq_rel)) {
@@ -43,7 +43,8 @@ private:
     mutable std::atomic<const T *> slot_{nullptr};
 };
 
-// A slot for one table, of any kind, of a value that can be copied and changed: its copies begin without the table.
+// A slot for one table, of any type, that belongs to a copyable, mutable value. A copy of the value starts
+// without the table.
 class OwnTable {
 public:
     OwnTable() noexcept = default;
@@ -57,7 +58,7 @@ public:
     }
     ~OwnTable() = default;
 
-    // What make() returns a std::shared_ptr of.
+    // The table that make() returns as a std::shared_ptr.
     template <class T, class Make>
     [[nodiscard]] const T &get(Make &&make) const {
         const auto &kept =
@@ -69,9 +70,9 @@ private:
     Lazy<std::shared_ptr<const void>> slot_;
 };
 
-// Decides when a table is built: as soon as the uses of an object so far have paid for it. Until then every
-// use works without the table, which costs as much as a share of the table. So neither one use nor many uses
-// cost more than twice the necessary time.
+// Decides when a table is built: as soon as the uses of the object so far have paid for it. Until then each
+// use works without the table, at the price of a share of the cost of the table. So neither a single use nor
+// many uses take more than twice the time that is necessary.
 class Uses {
 public:
     // Adds `uses` to the count; `cost` is the cost of the table in uses.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large splines may be.
+// Limits on the size of splines.
 #pragma once
 
 namespace nrb::inline base {

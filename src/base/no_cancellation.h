@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Places where the system, or the caller's code, may end the thread.
+// Guards code where the system, or a callback of the caller, may cancel the thread.
 #pragma once
 
 #include <pthread.h>
 
 namespace nrb::inline base {
 
-// A cancelled thread unwinds by an exception that must not be caught, but the border catches everything. So
-// cancellation waits: the thread ends after the call.
+// A cancelled thread unwinds by an exception that must not be swallowed, but the C interface catches every
+// exception. So cancellation is deferred: the thread ends after the call.
 class NoCancellation {
 public:
     NoCancellation() noexcept { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that bounds of rounding errors are made of.
+// Constants used in bounds of rounding errors.
 #pragma once
 
 #include <limits>

@@ -19,7 +19,7 @@ struct RecordView {
         return data[i * stride + c * component_stride];
     }
     [[nodiscard]] T *record(int64_t i) const noexcept { return data + i * stride; }
-    // One past the last element that the view can touch, relative to data.
+    // One past the largest index, relative to data, that the view can access.
     [[nodiscard]] int64_t extent() const noexcept {
         return count == 0 ? 0 : (count - 1) * stride + (width - 1) * component_stride + 1;
     }

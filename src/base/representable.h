@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refuses results that overflow.
+// Checks that results have not overflowed.
 #pragma once
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Working memory of one call: on the stack while it is small, so that evaluating a few points allocates
+// Scratch memory of one call. It is on the stack while it is small, so that evaluating a few points allocates
 // nothing.
 #pragma once
 
@@ -16,14 +16,14 @@ public:
     Scratch(const Scratch &) = delete;
     Scratch &operator=(const Scratch &) = delete;
 
-    // The next `size` doubles, uninitialised. Precondition: the sizes taken add up to at most the size asked
-    // for.
+    // The next `size` doubles, uninitialised. Precondition: the sizes taken add up to at most the size given
+    // to the constructor.
     double *take(size_t size) noexcept {
         double *block = next_;
         next_ += size;
         return block;
     }
-    // The same at the start of a cache line, for which up to line - 1 doubles are skipped.
+    // As take(), but aligned to a cache line, which may skip up to line - 1 doubles.
     double *take_aligned(size_t size) noexcept {
         const size_t over = reinterpret_cast<uintptr_t>(next_) / sizeof(double) % line;
         next_ += (line - over) % line;

@@ -7,8 +7,8 @@
 
 namespace nrb::inline base {
 
-// Calls work(width) with a width up to 4, that of most points, as a constant of the compiler: loops over so many numbers are
-// then no loops.
+// Calls work(width). Widths up to 4, those of most points, are passed as compile-time constants, so that the
+// compiler unrolls the loops over the components.
 template <class Work>
 decltype(auto) with_width(int64_t width, Work &&work) {
     switch (width) {

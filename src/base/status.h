@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a call of the public interface returns; the manual (nurbs/nurbs.h) says what each status means. The
-// core has an enum of its own, so that it does not depend on the text of the manual; capi/constants.cpp
+// The status returned by a call of the public interface; the manual (nurbs/nurbs.h) says what each one means.
+// The core has its own enum, so that it does not depend on the text of the manual; capi/constants.cpp
 // compares its values with the public ones.
 #pragma once
 

@@ -46,7 +46,7 @@ void Watch::end() {
     ended_ = true;
 }
 
-// Enters what was taken of the work that was granted.
+// Accounts for the part of the granted work that has been used.
 void Watch::settle() noexcept {
     const int64_t taken = granted_ - left_;
     unseen_ += taken;
@@ -54,7 +54,7 @@ void Watch::settle() noexcept {
     granted_ = left_ = 0;
 }
 
-// What may be done before the clock is looked at, or the limit is passed.
+// Grants the work that may be done before the next look at the clock or before the limit is exceeded.
 void Watch::grant() noexcept {
     const bool limited = uncounted_ == 0 && !ended_;
     granted_ = left_ = std::min(often - 1 - unseen_, limited ? limit_ - counted_ : often);
@@ -93,14 +93,14 @@ void Watch::report() {
     }
 }
 
-// No exception of the callback gets out, whatever its language.
+// No exception of the callback escapes, whatever its language.
 int32_t Watch::ask() {
     const NoCancellation shield;
     watch_of_thread = nullptr;
     int32_t answer = 1;
     try {
         answer = wishes_.progress(done_, wishes_.user);
-    } catch (abi::__forced_unwind &) { // a thread that ends here, as Python's do at the end of the program
+    } catch (abi::__forced_unwind &) { // the callback ends the thread, as Python does with threads at exit
         throw;
     } catch (...) {
         watch_of_thread = this;
@@ -154,7 +154,7 @@ SearchSteps::~SearchSteps() {
 }
 
 void SearchSteps::advance(size_t waiting) noexcept {
-    constexpr double few = 100; // of which nothing can be said
+    constexpr double few = 100; // the number of items below which the share says little
     ++looked_;
     const double share = looked_ / (looked_ + static_cast<double>(waiting) + few);
     watch_->from_ = watch_->to_ = std::max(watch_->from_, from_ + share * (to_ - from_));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How a long call is watched and ended from outside.
+// Watches a long call from outside: progress callbacks, cancellation and a limit on its work.
 //
-// The loops in which time passes count their work. They lie many layers below the border, under functions that
-// have other business, so that the watch is found in a slot of the thread instead of being handed down. The slot
-// is set while a watched call runs, and empty while its callback runs: a call that the callback makes is a call
-// of its own. Where nobody watches, counting costs a read of the slot.
+// Time-consuming loops count their work. They lie many layers below the C interface, in functions with other
+// concerns, so the watch is not passed down as an argument but found in a thread-local slot. The slot is set
+// while a watched call runs, and empty while its callback runs: a call made by the callback is a call of its
+// own. Where nobody watches, counting costs one read of the slot.
 #pragma once
 
 #include "base/error.h"
@@ -21,7 +21,7 @@ namespace nrb::inline base {
 class Watch {
 public:
     struct Wishes {
-        int64_t work = 0; // most multiply-adds; 0: no limit
+        int64_t work = 0; // limit, in multiply-adds; 0: none
         int32_t (*progress)(double done, void *user) = nullptr;
         void *user = nullptr;
     };
@@ -32,11 +32,11 @@ public:
     Watch(const Watch &) = delete;
     Watch &operator=(const Watch &) = delete;
 
-    // The one of the calling thread, or null.
+    // The watch of the calling thread, or null.
     [[nodiscard]] static Watch *current() noexcept;
 
-    // Throws CallEnded if the callback asks for it, and at the limit of work, unless a search is
-    // under way that ends by itself.
+    // Throws CallEnded if the callback asks for it. Reaching the work limit throws, too, unless a limited
+    // search is under way, which asks for the limit and ends by itself.
     void count(int64_t work) {
         left_ -= work;
         if (left_ < 0) {
@@ -44,9 +44,9 @@ public:
         }
     }
 
-    // Whether the limit of work is reached.
+    // Whether a limited search has reached the work limit.
     [[nodiscard]] bool ended() const noexcept { return ended_; }
-    // From here on the limit ends nothing: for those who answer with what they have.
+    // From here on the limit ends nothing: for callers that answer with what they have.
     void pass_limit() noexcept { ended_ = true; }
 
 private:
@@ -63,7 +63,7 @@ private:
     friend void require_work();
     friend void end_for_work();
     using Clock = std::chrono::steady_clock;
-    // Multiply-adds between two looks at the clock, which takes as long as about 100 of them.
+    // Multiply-adds between two reads of the clock, each of which takes as long as about 100 of them.
     static constexpr int64_t often = 1 << 14;
 
     void settle() noexcept;
@@ -76,13 +76,14 @@ private:
 
     Wishes wishes_;
     int64_t limit_;
-    // For the limit, and since the clock was looked at; without what is taken.
+    // Work counted towards the limit, and work since the last look at the clock; both without the work still
+    // granted.
     int64_t counted_ = 0, unseen_ = 0;
-    // Work that may be done before anything can happen, and what is left of it.
+    // Work that may be done before anything needs checking, and what is left of it.
     int64_t granted_ = 0, left_ = 0;
     int uncounted_ = 0, searches_ = 0;
-    bool ended_ = false, usual_ = false; // whether the limit is that of a UsualLimit
-    double from_ = 0, to_ = 1;           // the part of the whole that the present loop makes up
+    bool ended_ = false, usual_ = false; // usual_: the limit is that of a UsualLimit
+    double from_ = 0, to_ = 1;           // the part of the call that the present loop makes up
     double done_ = 0;
     Clock::time_point last_;
     Watch *outer_;
@@ -94,7 +95,7 @@ inline void count_work(int64_t multiply_adds) {
     }
 }
 
-// Makes a vector longer: in parts, because a system may be slow to give memory.
+// Resizes a vector, in parts, because the system may be slow to provide memory.
 template <class T>
 void grow_watched(std::vector<T> &values, size_t size) {
     constexpr size_t part = size_t{1} << 15;
@@ -106,7 +107,7 @@ void grow_watched(std::vector<T> &values, size_t size) {
     values.resize(size);
 }
 
-// A copy, in parts too, with room for more.
+// A copy, made in parts for the same reason, with capacity for `more` further elements.
 template <class T>
 std::vector<T> copied_watched(std::span<const T> values, size_t more = 0) {
     std::vector<T> copy;
@@ -120,8 +121,8 @@ std::vector<T> copied_watched(std::span<const T> values, size_t more = 0) {
     return copy;
 }
 
-// A loop of steps that take about equally long: tells how much of the call is done. Loops inside a step divide it
-// further.
+// A loop of steps that take about equally long; reports how much of the call is done. Loops inside a step
+// subdivide its share.
 class Steps {
 public:
     explicit Steps(int64_t count) noexcept;
@@ -129,7 +130,7 @@ public:
     Steps(const Steps &) = delete;
     Steps &operator=(const Steps &) = delete;
 
-    // A step is done, which took so much work beyond what was counted in it. Throws as Watch::count() does.
+    // Ends a step that took `work` beyond what was counted inside it. Throws as Watch::count() does.
     void next(int64_t work = 0) {
         if (watch_ != nullptr) {
             ++step_;
@@ -145,12 +146,13 @@ private:
     }
 
     Watch *watch_;
-    double step_ = 0, length_ = 0; // of a step
-    double from_ = 0, to_ = 1;     // of all steps
+    double step_ = 0, length_ = 0; // steps done, and the share of one step
+    double from_ = 0, to_ = 1;     // the share of all steps
 };
 
-// A part of a call that others follow, whose share of it is a guess: what is left at its end is theirs. In a loop of
-// which nobody knows how long it goes on, each round takes half of what is left.
+// A part of a call that other parts follow. Its share of the remaining progress is a guess; what is left at
+// its end belongs to the parts that follow. In a loop with an unknown number of rounds, each round takes half
+// of what is left.
 class Phase {
 public:
     explicit Phase(double share = 0.5) noexcept;
@@ -163,7 +165,8 @@ private:
     double end_ = 0, to_ = 0;
 };
 
-// A search of which nobody knows how long it takes: what has been looked at, of that and of what waits.
+// Progress of a search whose length is unknown: the number of items examined, relative to those examined and
+// those waiting.
 class SearchSteps {
 public:
     SearchSteps() noexcept;
@@ -184,7 +187,8 @@ private:
     double looked_ = 0, from_ = 0, to_ = 0;
 };
 
-// While this exists, the limit of work does not end the call: the search asks, and answers with what it has.
+// While this exists, reaching the work limit does not throw: the search asks work_ended() and answers with
+// what it has.
 class LimitedSearch {
 public:
     LimitedSearch() noexcept;
@@ -196,18 +200,20 @@ private:
     Watch *watch_;
 };
 
-// Whether the limit of work is reached.
+// Whether a limited search has reached the work limit.
 [[nodiscard]] bool work_ended() noexcept;
-// What is left of it; without a limit more than any work.
+// The work that is left before the limit; the largest int64_t if there is no limit.
 [[nodiscard]] int64_t work_left() noexcept;
 [[nodiscard]] bool work_is_limited() noexcept;
-// Throws as Watch::count() does if a limited search has come to the limit of work: for those to whom half an answer is none.
+// Throws as Watch::count() does if a limited search has reached the work limit: for callers that have no use
+// for an incomplete answer.
 void require_work();
-// The same where a part of the work, such as its half, has ended; without a limit it does nothing.
+// Ends the work as reaching the limit does, for callers whose part of it, such as a PartOfWork, is used up;
+// does nothing without a limit.
 void end_for_work();
 
-// While this exists, and the caller has set no limit of work, there is one of so many multiply-adds: a limited search ends
-// with what it has, any other loop with Status::not_converged.
+// While this exists, and if the caller has set no work limit, a default limit of `work` multiply-adds holds.
+// At the limit, a limited search ends with what it has; any other loop fails with Status::not_converged.
 class UsualLimit {
 public:
     explicit UsualLimit(int64_t work) noexcept;
@@ -216,12 +222,13 @@ public:
     UsualLimit &operator=(const UsualLimit &) = delete;
 
 private:
-    std::optional<Watch> own_; // where nobody watches
-    Watch *watch_;             // null: the caller has a limit
-    int64_t limit_ = 0;        // before
+    std::optional<Watch> own_; // if the caller set up no watch
+    Watch *watch_;             // null: the caller has set a limit
+    int64_t limit_ = 0;        // the previous limit
 };
 
-// While this exists, a share of the work that is left is all there is: what was found by then is finished with the rest.
+// While this exists, only a share of the remaining work may be used; the rest is kept for finishing what was
+// found by then.
 class PartOfWork {
 public:
     explicit PartOfWork(double share = 0.5) noexcept;
@@ -231,12 +238,12 @@ public:
 
 private:
     Watch *watch_;
-    int64_t limit_ = 0; // before
+    int64_t limit_ = 0; // the previous limit
     bool ended_ = false;
 };
 
-// Whether an attempt, half of which is worth nothing, came to its end before the limit of work. If not, the limit ends
-// nothing from then on.
+// Whether an attempt, which is worthless unless it is complete, ended before the work limit. If not, the
+// limit ends nothing from then on.
 template <class Attempt>
 [[nodiscard]] bool attempted(Attempt &&attempt) {
     if (work_ended()) {
@@ -254,13 +261,14 @@ template <class Attempt>
     return true;
 }
 
-// About a second, and more for splines of many control points, which take so much each where all goes well.
+// The usual limit: about a second, plus for_a_point multiply-adds for each control point, enough where all
+// goes well.
 constexpr int64_t usual_work(int64_t points, int64_t for_a_point = 20000) noexcept {
     return 800000000 + for_a_point * points;
 }
 
-// While this exists, work does not count for the limit: that of tables that a handle keeps, so that an answer does
-// not depend on what was asked before.
+// While this exists, work does not count towards the limit. It is for tables that a handle keeps, so that an
+// answer does not depend on earlier queries.
 class NotCounted {
 public:
     NotCounted() noexcept;
@@ -272,7 +280,7 @@ private:
     Watch *watch_;
 };
 
-// The same for a usual limit alone: for what no answer can do without, however long it takes.
+// As NotCounted, but only under a usual limit: for work that no answer can do without, however long it takes.
 class NeededWork {
 public:
     NeededWork() noexcept;

@@ -59,8 +59,8 @@ void hermite_to_bernstein(int p, Fractions &m) noexcept {
     }
 }
 
-// Row i is the polar form at p - i times 0 and i times 1. In step d of de Boor's algorithm all denominators
-// are d.
+// Row i is the polar form (blossom) at p - i zeros and i ones. In step d of de Boor's algorithm all
+// denominators are d.
 void bspline_to_bernstein(int p, Fractions &m) noexcept {
     for (int i = 0; i <= p; ++i) {
         Integer row[size] = {1};
@@ -98,7 +98,8 @@ void bernstein_to_hermite(int p, Integer (&m)[size][size]) noexcept {
     }
 }
 
-// Row j is the polar form at j + 1 - p, ..., j: the coefficients of the product of (1 - u) + u z.
+// Row j is the polar form at j + 1 - p, ..., j: the coefficients of the product of the factors (1 - u) + u z
+// for these u.
 void bernstein_to_bspline(int p, Integer (&m)[size][size]) noexcept {
     for (int j = 0; j <= p; ++j) {
         Integer row[size + 1] = {1};
@@ -154,8 +155,8 @@ void from_bernstein(SegmentBasis to, int p, Integer (&m)[size][size]) noexcept {
     }
 }
 
-// The double nearest to n / d, d > 0, from a quotient of at least 55 bits: its last bit is set if any of the
-// bits after it would be.
+// The double nearest to n / d, d > 0: computed from at least 55 bits of the quotient, the last of which is a
+// sticky bit, set if any of the bits after it is set.
 double quotient(Integer n, Integer d) noexcept {
     if (n == 0) {
         return 0;

@@ -28,14 +28,14 @@ using Number = DoubleDoubleLanes<V>;
 constexpr int most = max_degree + 1;
 constexpr int four_lanes = static_cast<int>(hn::MaxLanes(Four()));
 
-// Two shares of a step of de Boor's algorithm for each of its points: the parts of a support that lie ahead of a place
-// and after it.
+// The two factors of each point in a step of de Boor's algorithm at a place in the support: the parts of the
+// support ahead of the place and after its start, relative to the length of the support.
 struct Shares {
-    HWY_ALIGN double parts[4][most + 4]; // high and low parts of the one ahead, and of the one after
+    HWY_ALIGN double parts[4][most + 4]; // high and low parts of the share ahead, then of the share after
 
     HWY_INLINE Shares() {}
 
-    // Between before[i] and from[i], for i < count; up to three more are read.
+    // For the supports from before[i] to from[i], i < count; up to three more elements are read.
     HWY_INLINE void set(const double *before, const double *from, double place, int count) {
         const Four d;
         const V at = hn::Set(d, place);
@@ -51,7 +51,7 @@ struct Shares {
     [[nodiscard]] HWY_INLINE Number after(int i) const { return number(2, i); }
 
 private:
-    // Exactly 1 where the other share is 0.
+    // A share is exactly 1 where the other is 0.
     HWY_INLINE void store(const Number &share, const Number &other, int i, int row) {
         const Four d;
         const auto whole = hn::Eq(other.high, hn::Zero(d));
@@ -63,7 +63,8 @@ private:
     }
 };
 
-// The knots u_1, ..., u_p up to the start a of a span and v_1, ..., v_p from its end b on, and what is read after them.
+// The knots u_1, ..., u_p up to the start a of a span, and v_1, ..., v_p from its end b on, padded for vector
+// loads.
 struct LocalKnots {
     double u[most + 3], v[most + 3], all_a[most + 3];
 
@@ -75,7 +76,7 @@ struct LocalKnots {
     }
 };
 
-// Four components of the points of a span.
+// Four components of the points of a span, and the knot insertion on them.
 class FourComponents {
 public:
     HWY_INLINE FourComponents(const double *weights, const double *points, int degree, int lanes, int part)
@@ -87,13 +88,15 @@ public:
         }
     }
 
-    // Of polar values at (u_i+k, ..., u_p, a, ..., a, v_1, ..., v_i), k - 1 times a, those with one more a.
+    // Turns the polar values at (u_(i+k), ..., u_p, a, ..., a, v_1, ..., v_i), with k - 1 arguments a, into
+    // those with one more a.
     HWY_INLINE void insert_start(int k, const Shares &at_a) {
         for (int i = 0; i <= degree_ - k; ++i) {
             points_[i] = points_[i] * at_a.ahead(i) + points_[i + 1] * at_a.after(i);
         }
     }
-    // Of those at (a, ..., a, b, ..., b, v_1, ..., v_i-k+1), k - 1 times b, those with one more b.
+    // Turns the polar values at (a, ..., a, b, ..., b, v_1, ..., v_(i-k+1)), with k - 1 arguments b, into
+    // those with one more b.
     HWY_INLINE void insert_end(int k, const Shares &at_b) {
         for (int i = degree_; i >= k; --i) {
             points_[i] = points_[i - 1] * at_b.ahead(i - k) + points_[i] * at_b.after(i - k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Power spans of low degree one at a time.
+// Power spans of low degree, one at a time, by blossoming.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "basis/blossom_span_kernel.cpp"
 #include "base/dispatch.h"
@@ -22,8 +22,8 @@ using Four = hn::CappedTag<double, 4>;
 using V = hn::Vec<Four>;
 using Number = DoubleDoubleLanes<V>;
 
-// The sum and the product without the step that makes the low part small beside the high one: what is lost is some 2^-104
-// of the terms, and sums that cancel keep what their low parts have.
+// Sum and product without the final renormalisation, which makes the low part small relative to the high
+// part. They lose about 2^-104 of the terms, and sums that cancel retain what their low parts hold.
 HWY_INLINE Number loose_sum(const Number &a, const Number &b) {
     const Number sum = exact_sum(a.high, b.high);
     return {sum.high, hn::Add(sum.low, hn::Add(a.low, b.low))};
@@ -36,9 +36,9 @@ HWY_INLINE Number loose_product(const Number &a, const Number &b) {
     return {product.high, hn::Add(product.low, hn::MulAdd(a.high, b.low, hn::Mul(a.low, b.high)))};
 }
 
-// For each step of de Boor's algorithm at the middle of a span: the inverse of the length of a support in the local
-// parameter, and the parts of it that lie after the middle and before it. Number e (e - 1) / 2 + r belongs to the support
-// of function r of degree e - 1 of those that are active.
+// For each step of de Boor's algorithm at the middle of a span: the inverse of the length of a support in the
+// local parameter (slope), and the relative parts of the support after its start and ahead of the middle.
+// Index e (e - 1) / 2 + r belongs to the support of the r-th active function of degree e - 1.
 template <int kDegree>
 class Supports {
 public:
@@ -89,13 +89,14 @@ private:
     HWY_ALIGN double parts_[6][size_up];
 };
 
-// Polar values of four components: at first the points, then with one argument after the other, the middle of the span or
-// the direction of the parameter; values[k][r] has k directions. Those come first, so that differences are taken of points
-// and of differences, never of means of points, whose rounding is that of larger terms.
+// Evaluates the polar form (blossom) of four components. It starts from the points and adds one argument
+// after the other: the middle of the span or the direction of the parameter; values[k][r] has k directions.
+// The directions are added first, so that differences are taken of points and of differences, never of means
+// of points, whose rounding errors are those of larger terms.
 template <int kDegree>
 HWY_INLINE void blossom(const Supports<kDegree> &supports, Number (&values)[kDegree + 1][kDegree + 1]) {
 #pragma GCC unroll 4
-    for (int left = kDegree; left >= 1; --left) { // arguments that are missing
+    for (int left = kDegree; left >= 1; --left) { // number of arguments that are missing
         const int given = kDegree - left, first = left * (left - 1) / 2;
 #pragma GCC unroll 4
         for (int r = 0; r < left; ++r) {

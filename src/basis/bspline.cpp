@@ -11,9 +11,9 @@ void raise_degree(const double *knots, int d, int64_t span, double t, double *va
 
 namespace {
 
-// From derivatives of order j - 1 of the d functions of degree d - 1 to those of order j of the d + 1
-// functions of degree d: N'_(i,d) = d (N_(i,d-1) / (t_(i+d) - t_i) - N_(i+1,d-1) / (t_(i+d+1) - t_(i+1))), in
-// place.
+// From the derivatives of order j - 1 of the d functions of degree d - 1 to those of order j of the d + 1
+// functions of degree d, in place: N'_(i,d) = d (N_(i,d-1) / (t_(i+d) - t_i) - N_(i+1,d-1) / (t_(i+d+1)
+// - t_(i+1))).
 void differentiate(const double *knots, int d, int64_t span, double *values) noexcept {
     const double *right = knots + span + 1;
     const double *left = right - d;
@@ -35,7 +35,7 @@ void basis_values(const double *knots, int degree, int64_t span, double t, doubl
     }
 }
 
-// That knot is an argument of the polar form from the start.
+// The first knot of the span is an argument of the polar form from the start.
 void basis_values_at_knot(const double *knots, int degree, int64_t span, double *values) noexcept {
     values[degree] = 0;
     values[0] = 1;

@@ -39,7 +39,7 @@ void check_increasing(std::span<const double> breaks) {
     }
 }
 
-// Point i of n equal steps from a to b, both ends exact, points outside [0, n] by continuation.
+// Point i of n equal steps from a to b. Both ends are exact; points outside [0, n] extrapolate.
 double even(double a, double b, int64_t i, int64_t n) noexcept {
     if (i == n) {
         return b;
@@ -48,8 +48,8 @@ double even(double a, double b, int64_t i, int64_t n) noexcept {
     return std::abs(s) <= 1 ? std::lerp(a, b, s) : a + s * (b - a);
 }
 
-// A knot computed by a rule must still be a valid knot: rounding in a short interval may merge knots, and
-// knots far away may overflow.
+// Knots computed by a rule must still be valid: in a short interval rounding may merge knots, and distant
+// knots may overflow.
 void check_result(int degree, std::span<const double> knots) {
     if (std::any_of(knots.begin(), knots.end(), [](double t) { return !std::isfinite(t); }) ||
         !std::isfinite(knots.back() - knots.front())) {
@@ -73,7 +73,7 @@ void check_steps(double a, double b, int64_t n) {
     }
 }
 
-// Knot i stands at step_of(i - degree, n) of n = count - degree even steps from a to b.
+// Knot i is point step_of(i - degree, n) of n = count - degree equal steps from a to b.
 template <class StepOf>
 void fill_even(int degree, int64_t count, double a, double b, std::span<double> knots, StepOf &&step_of) {
     check_degree(degree, -1);
@@ -157,7 +157,7 @@ void averaged_knots(int degree, std::span<const double> params, std::span<double
     const auto p = static_cast<size_t>(degree);
     std::vector<double> result(p + 1, params.front());
     for (size_t j = 1; j + p < params.size(); ++j) {
-        // At degree 0 the mean of the two parameters next to the knot. Offsets from the first parameter keep
+        // At degree 0, the mean of the two parameters next to the knot. Offsets from the first parameter make
         // the mean of equal values exact.
         const size_t first = p == 0 ? j - 1 : j;
         const size_t terms = p == 0 ? 2 : p;

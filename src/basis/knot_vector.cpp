@@ -14,7 +14,7 @@ namespace nrb::inline basis {
 
 namespace {
 
-// " on axis 1", or an empty text if a call has no axes.
+// " on axis 1", or an empty text if the call has no axes.
 struct AxisText {
     explicit AxisText(int axis) noexcept : text{} {
         if (axis >= 0) {
@@ -43,8 +43,8 @@ void check_multiplicities(int degree, std::span<const double> knots, int axis, i
 KnotVector::KnotVector(int degree, std::vector<double> knots, bool periodic) noexcept
     : degree_(degree), periodic_(periodic), knots_(std::move(knots)) {}
 
-// The function of layer i is nonzero between its knots i and i + degree + 1. Copies of a knot vector that
-// were multiplied by powers of two may have lost their domain.
+// The function of layer i is nonzero between its knots i and i + degree + 1. In copies of a knot vector
+// scaled by a power of two, the domain may have collapsed.
 KnotVector::Layers KnotVector::active_layers() const noexcept {
     const auto [lower, upper] = domain();
     Layers layers{0, count()};
@@ -81,8 +81,8 @@ bool KnotVector::has_power_span(int64_t span) const noexcept {
     }
     constexpr double shortest = 0x1p-100;
     constexpr double largest_ratio = 0x1p500;
-    // The middle of a span of a few units of rounding is off by up to half a unit, and at an end of the span
-    // the powers amplify rounding by 3^p.
+    // The middle of a span only a few ulps long may be off by half an ulp, and at an end of the span the
+    // powers amplify rounding by 3^p.
     constexpr double fewest_units = 32 * eps;
     const double length = (*this)[span + 1] - (*this)[span];
     const double position = std::max(std::abs((*this)[span]), std::abs((*this)[span + 1]));
@@ -193,7 +193,7 @@ KnotVectorPtr make_knot_vector(int degree, std::vector<double> knots, bool perio
     return std::make_shared<const KnotVector>(degree, std::move(knots), periodic);
 }
 
-constexpr int64_t work_of_a_group = 8; // its memory
+constexpr int64_t work_of_a_group = 8; // for its memory
 
 std::vector<KnotGroup> distinct_knots(std::span<const double> knots) {
     std::vector<KnotGroup> groups;

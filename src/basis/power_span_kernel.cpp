@@ -22,7 +22,7 @@ using namespace numeric::HWY_NAMESPACE;
 
 using Vec8 = hn::CappedTag<double, 8>;
 
-// The functions of several spans, one in each lane, seen from the middles of the spans.
+// The basis functions of several spans, one span in each lane, expanded about the middles of the spans.
 template <class D>
 class CentredFunctions {
 public:
@@ -64,8 +64,8 @@ public:
         functions[e] = carried;
     }
 
-    // The difference formula, from derivatives of the functions of degree e - 1 to those of degree e, but for
-    // the factor e.
+    // The difference formula without its factor e: from derivatives of the functions of degree e - 1 to those
+    // of degree e.
     HWY_INLINE void differentiate(int e, Number *functions) const {
         Number carried{hn::Zero(d_), hn::Zero(d_)};
 #pragma GCC unroll 4
@@ -84,11 +84,11 @@ private:
 
     D d_;
     Number slope_[most][most]; // [e - 1][r]: 1 / length of the support of function r of degree e - 1
-    Number after_[most][most]; // the part of the support before the middle
+    Number after_[most][most]; // the relative part of the support before the middle
     Number ahead_[most][most];
 };
 
-// Lane l of the coefficients to the power spans of span l.
+// Writes lane l of the coefficients to the power span of span l.
 template <class D>
 HWY_INLINE void store_row(D d, const DoubleDoubleLanes<hn::Vec<D>> *row, int degree, double factor,
                           int64_t offset, int count, double *const *power_spans, double *const *rests) {
@@ -110,8 +110,8 @@ HWY_INLINE void store_row(D d, const DoubleDoubleLanes<hn::Vec<D>> *row, int deg
     }
 }
 
-// Coefficients of the power spans of `count` spans, at most one for each lane; the heads are there. knots as
-// for CentredFunctions.
+// Fills the coefficients of the power spans of `count` spans, at most one for each lane; the heads are
+// already there. knots: as for CentredFunctions.
 template <class D>
 HWY_INLINE void fill_power_spans(D d, int degree, const double *knots, int count, double *const *power_spans,
                                  double *const *rests) {
@@ -135,7 +135,7 @@ HWY_INLINE void fill_power_spans(D d, int degree, const double *knots, int count
         for (int raised = e + 1; raised <= degree; ++raised) {
             centred.differentiate(raised, row);
         }
-        // The factors degree, ..., e + 1 of the difference formula, over the factorial of the order.
+        // The factors degree, ..., e + 1 of the difference formula, divided by the factorial of the order.
         const int order = degree - e;
         const double factor = binomial(degree, order);
         store_row(d, row, degree, factor, PowerSpan::head_size + static_cast<int64_t>(order) * lanes, count,
@@ -163,7 +163,7 @@ int power_span_lanes() {
     return static_cast<int>(hn::Lanes(Vec8()));
 }
 
-// Component c of power k: the sum over j of coefficient [k][j] with w_j x_jc, rounded once.
+// Component c of power k: the sum over j of coefficient [k][j] times w_j x_jc, rounded once.
 void combine(const double *HWY_RESTRICT basis, const double *HWY_RESTRICT rests, int degree,
              const double *HWY_RESTRICT weights, const double *HWY_RESTRICT points, int lanes,
              double *HWY_RESTRICT powers) {

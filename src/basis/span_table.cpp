@@ -23,8 +23,9 @@ SpanTable::SpanTable(int degree, std::span<const double> knots) {
     finder_.lower_ = breaks_.front();
     finder_.breaks_ = breaks_.data();
 
-    // With more buckets it is rarer that a bucket holds several breaks, but the table is larger. With eight
-    // buckets for each span about one percent of uneven breaks share a bucket; even breaks never do.
+    // More buckets make it rarer that a bucket contains several breaks, but enlarge the table. With eight
+    // buckets per span, about one percent of unevenly spaced breaks share a bucket; evenly spaced ones never
+    // do.
     const size_t most = std::bit_ceil(8 * span_.size());
     size_t buckets = std::bit_ceil(2 * span_.size());
     while (!fill(buckets) && buckets < most && finder_.scale_ > 0) {

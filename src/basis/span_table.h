@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Span search in constant expected time: uniform buckets over the domain, each naming the few spans that it
-// can meet.
+// Span search in constant expected time: uniform buckets over the domain, each of which refers to the few
+// spans that meet it.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,17 @@
 
 namespace nrb::inline basis {
 
-// Only non-empty spans are listed; they are numbered from 0. A parameter's bucket is floor((t - lower) *
-// scale). In floating point this is a monotone function of t. So breaks in lower buckets are <= t and breaks
-// in higher buckets are > t without any safety margin, and only the breaks of t's own bucket need a
-// comparison. Most buckets hold at most one.
+// Only non-empty spans are listed; they are numbered from 0. The bucket of a parameter t is floor((t - lower)
+// * scale). In floating point this is still a monotone function of t. So breaks in lower buckets are <= t and
+// breaks in higher buckets are > t without any safety margin, and only the breaks in the bucket of t need a
+// comparison. Most buckets contain at most one break.
 class SpanTable {
 public:
-    // The search itself: a value that loops keep in registers.
+    // The search itself: a small value that loops keep in registers.
     class Finder {
     public:
-        // Number of the non-empty span with breaks[i] <= t < breaks[i + 1]; outside the domain the first or
-        // the last one. `left` takes breaks[i] < t <= breaks[i + 1] instead. Precondition: t is not NaN.
+        // Number of the non-empty span with breaks[i] <= t < breaks[i + 1], or, with `left`, breaks[i] < t
+        // <= breaks[i + 1]; outside the domain the first or the last one. Precondition: t is not NaN.
         template <bool left>
         [[nodiscard]] int64_t number(double t) const noexcept {
             return number_in<left>(buckets_ + bucket(t), std::min(t, std::numeric_limits<double>::max()));
@@ -34,7 +34,7 @@ public:
     private:
         friend class SpanTable;
         struct Bucket {
-            double inner; // the only break inside the bucket; infinity: there is none; NaN: there are several
+            double inner; // the only break in the bucket; infinity: none; NaN: several
             int64_t before; // number of breaks in lower buckets
         };
         template <bool left>
@@ -55,11 +55,11 @@ public:
         double lower_ = 0;
         double scale_ = 0;
         double last_bucket_ = 0;
-        const Bucket *buckets_ = nullptr; // and one after the last
+        const Bucket *buckets_ = nullptr; // and one sentinel after the last
         const double *breaks_ = nullptr;
     };
 
-    // Precondition: knots are non-decreasing with knots[degree] < knots[size - degree - 1].
+    // Precondition: the knots do not decrease, and knots[degree] < knots[size - degree - 1].
     SpanTable(int degree, std::span<const double> knots);
     SpanTable(SpanTable &&) noexcept = default;
     SpanTable(const SpanTable &) = delete;
@@ -69,7 +69,7 @@ public:
     [[nodiscard]] int64_t number(double t, bool left) const noexcept {
         return left ? finder_.number<true>(t) : finder_.number<false>(t);
     }
-    // The same span's index in the knot vector.
+    // The index of that span in the knot vector.
     [[nodiscard]] int64_t find(double t, bool left) const noexcept {
         return span_[static_cast<size_t>(number(t, left))];
     }
@@ -80,7 +80,7 @@ public:
     [[nodiscard]] std::span<const int64_t> indices() const noexcept { return span_; }
 
 private:
-    // Fills `buckets` buckets; returns whether no bucket has more than one break.
+    // Fills `buckets` buckets; returns whether no bucket contains more than one break.
     bool fill(size_t buckets);
 
     std::vector<double> breaks_;
@@ -89,7 +89,7 @@ private:
     Finder finder_; // points into the vectors
 };
 
-// SpanTable::find() without a table: a binary search.
+// As SpanTable::find(), but without a table: by binary search.
 int64_t find_span(int degree, std::span<const double> knots, double t, bool left) noexcept;
 
 } // namespace nrb::inline basis

@@ -12,13 +12,13 @@ namespace nrb::inline bernstein {
 
 namespace {
 
-constexpr int64_t work_of_a_coarse_product = 100; // its memory
+constexpr int64_t work_of_a_coarse_product = 100; // for its memory
 
 struct Largest {
     double value = 0, error = 0;
 };
 
-// Of a component.
+// The largest coefficient and the largest error of component c.
 Largest largest_of(const RoundedPolynomial &a, int c) noexcept {
     Largest found;
     for (size_t i = static_cast<size_t>(c); i < a.values.size(); i += static_cast<size_t>(a.shape.width)) {
@@ -28,7 +28,8 @@ Largest largest_of(const RoundedPolynomial &a, int c) noexcept {
     return found;
 }
 
-// Each coefficient rounds by as many steps of eps as those of RoundedPolynomial, with sums over `sums` products.
+// Each coefficient has as many rounding errors (`steps`) as in the products of RoundedPolynomial, for sums
+// over `sums` products.
 double error_of(const Largest &a, const Largest &b, double steps) noexcept {
     return a.value * b.error + a.error * (b.value + b.error) + steps * eps * a.value * b.value;
 }
@@ -43,7 +44,7 @@ BernsteinShape as_wide(BernsteinShape shape, int width) noexcept {
     return shape;
 }
 
-// Component c, times the binomials, or all of them for the full width.
+// Component c times the binomial factors.
 void take_scaled(const RoundedPolynomial &a, int c, double sign, const double *binomials, size_t count,
                  double *out) noexcept {
     for (size_t i = 0; i < count; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// de Casteljau's algorithm on plain arrays: [degree + 1][inner] coefficients of a polynomial of one variable
-// over [0, 1], `inner` values each, which may be those of other variables; and the Bernstein functions, which
-// the same recurrence gives the other way round. Each step takes means, so that a value is within 3 / 2
-// degree eps of itself, relative to the same means of magnitudes, and in the middle within degree eps / 2.
+// De Casteljau's algorithm on plain arrays: [degree + 1][inner] Bernstein coefficients of a polynomial of one
+// variable over [0, 1], each of `inner` values, which may be the coefficients along other variables. Also the
+// Bernstein functions, which the transposed recurrence gives. Each step takes means, so that the error of a
+// value is within 3 / 2 degree eps of the same means of magnitudes, and at t = 1/2 within degree eps / 2.
 // Inline, because loops compiled for an instruction set or for one degree use it.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace nrb::inline bernstein {
 
-// The means (1 - t) b_i + t b_(i+1) replace the first `count` values b_i.
+// Replaces the first `count` values b_i by the means (1 - t) b_i + t b_(i+1).
 [[gnu::always_inline]] inline void casteljau_step(int64_t count, int64_t inner, double t,
                                                   double *b) noexcept {
     const double s = 1 - t;
@@ -20,7 +20,7 @@ namespace nrb::inline bernstein {
     }
 }
 
-// The first `inner` values become those at t.
+// The first `inner` values become the value at t.
 [[gnu::always_inline]] inline void evaluate(int degree, int64_t inner, double t, double *b) noexcept {
     for (int level = degree; level > 0; --level) {
         casteljau_step(level * inner, inner, t, b);
@@ -36,7 +36,7 @@ namespace nrb::inline bernstein {
     }
 }
 
-// A net as seen along one of its axes.
+// A net of coefficients seen along one of its axes: [outer][degree + 1][inner].
 struct AxisLayers {
     int64_t outer = 1;
     int degree = 0;
@@ -47,7 +47,7 @@ struct AxisLayers {
     }
 };
 
-// The same for all of [outer][degree + 1][inner].
+// The same for a whole net [outer][degree + 1][inner].
 inline void subdivide(const AxisLayers &layers, double t, double *values, double *lower) noexcept {
     for (int64_t o = 0; o < layers.outer; ++o) {
         const int64_t first = layers.at(o, 0, 0);
@@ -55,8 +55,9 @@ inline void subdivide(const AxisLayers &layers, double t, double *values, double
     }
 }
 
-// Coefficients over [lower, upper] replace those over [0, 1]. All means are taken of the ends, so that
-// coefficients of one size and sign keep their relative accuracy. Precondition: 0 <= lower < upper <= 1.
+// Replaces the coefficients over [0, 1] by those over [lower, upper]. All values are means of coefficients,
+// so that coefficients of one sign and size keep their relative accuracy. Precondition: 0 <= lower < upper
+// <= 1.
 inline void restrict_to(int degree, double lower, double upper, double *values) noexcept {
     for (int r = 1; upper < 1 && r <= degree; ++r) {
         for (int i = degree; i >= r; --i) {
@@ -71,7 +72,7 @@ inline void restrict_to(int degree, double lower, double upper, double *values) 
     }
 }
 
-// From the functions of degree n - 1 at t those of degree n.
+// From the Bernstein functions of degree n - 1 at t to those of degree n.
 [[gnu::always_inline]] inline void raise_functions(int n, double t, double *values) noexcept {
     const double s = 1 - t;
     values[n] = t * values[n - 1];
@@ -81,7 +82,7 @@ inline void restrict_to(int degree, double lower, double upper, double *values) 
     values[0] *= s;
 }
 
-// B_0(t), ..., B_degree(t), each within 3 / 2 degree eps of itself for t in [0, 1].
+// B_0(t), ..., B_degree(t), each with a relative error within 3 / 2 degree eps for t in [0, 1].
 [[gnu::always_inline]] inline void bernstein_functions(int degree, double t, double *values) noexcept {
     values[0] = 1;
     for (int n = 1; n <= degree; ++n) {
@@ -89,8 +90,8 @@ inline void restrict_to(int degree, double lower, double upper, double *values) 
     }
 }
 
-// Derivatives of the functions of a degree from the values, or derivatives, of those of one degree less. The
-// two may be the same array.
+// Derivatives of the functions of a degree from the values (or derivatives) of those of one degree less. Both
+// may be the same array.
 [[gnu::always_inline]] inline void differentiate_functions(int degree, const double *lower,
                                                            double *out) noexcept {
     out[degree] = degree * lower[degree - 1];
@@ -100,7 +101,7 @@ inline void restrict_to(int degree, double lower, double upper, double *values) 
     out[0] = -degree * lower[0];
 }
 
-// Values and derivatives up to an order of at most 2 at t: rows of `stride` > degree doubles.
+// Values, and derivatives up to order 2 at most, at t: rows of `stride` > degree doubles.
 [[gnu::always_inline]] inline void bernstein_functions(int degree, double t, int order, int stride,
                                                        double *rows) noexcept {
     rows[0] = 1;
@@ -108,7 +109,7 @@ inline void restrict_to(int degree, double lower, double upper, double *values) 
         std::fill_n(rows + k * stride, degree < k ? degree + 1 : 0, 0.0);
     }
     for (int n = 1; n <= degree; ++n) {
-        if (n == degree - 1 && order > 1) { // the row holds degree - 2
+        if (n == degree - 1 && order > 1) { // row 0 holds the functions of degree - 2
             differentiate_functions(n, rows, rows + 2 * stride);
             differentiate_functions(degree, rows + 2 * stride, rows + 2 * stride);
         }

@@ -11,7 +11,7 @@ namespace nrb::inline bernstein {
 
 namespace {
 
-// C(n, 0), ..., C(n, n) of any degree, each within n eps of itself.
+// C(n, 0), ..., C(n, n) of any degree, each with a relative error within n eps.
 class BinomialRow {
 public:
     explicit BinomialRow(int n) {
@@ -33,8 +33,8 @@ private:
     const double *row_;
 };
 
-// Adds a, times one coefficient of the other factor, to a part of the product, in which rows along the last
-// axis and planes of the last two lie so far apart.
+// Adds a, times one coefficient of the other factor, to a part of the product in which rows along the last
+// axis are `row` apart and planes of the last two axes are `plane` apart.
 void add_scaled(const BernsteinShape &a, const double *from, double factor, double *out, int64_t row,
                 int64_t plane) noexcept {
     const int64_t length = int64_t{a.degrees[2] + 1} * a.width;
@@ -70,8 +70,8 @@ BernsteinShape product_shape(const BernsteinShape &a, const BernsteinShape &b) n
     return shape;
 }
 
-// Each factor and the quotient take a rounding for every binomial and one more, and as many for the binomials
-// themselves; the sums have at most as many terms as the smaller factor has coefficients.
+// Each factor and the quotient are rounded once for every binomial and once more, and as often for the
+// binomials themselves; the sums have at most as many terms as the smaller factor has coefficients.
 double product_error(const BernsteinShape &a, const BernsteinShape &b) noexcept {
     return eps / 2 * (static_cast<double>(std::min(a.coefficients(), b.coefficients())) + 18);
 }

@@ -13,9 +13,9 @@ namespace nrb::inline bernstein {
 
 namespace {
 
-constexpr int64_t work_of_a_product = 400; // its memory
+constexpr int64_t work_of_a_product = 400; // for its memory
 
-// Products of pairs of polynomials of two shapes.
+// Products of pairs of polynomials of two fixed shapes.
 class Convolution {
 public:
     Convolution(const BernsteinShape &a, const BernsteinShape &b)
@@ -28,7 +28,7 @@ public:
         fill_binomial_factors(product_, over_);
     }
 
-    // Of x(i), y(i); valid until the next call.
+    // Multiplies the coefficients x(i) and y(i); the result is valid until the next call.
     template <class Left, class Right>
     const double *operator()(Left &&x, Right &&y) {
         for (size_t i = 0; i < size(a_); ++i) {
@@ -51,7 +51,7 @@ private:
     const BernsteinShape &a_, &b_;
     BernsteinShape product_;
     Scratch scratch_;
-    double *left_, *right_, *over_; // binomials
+    double *left_, *right_, *over_; // binomial factors
     double *x_, *y_, *sum_;
 };
 
@@ -67,7 +67,7 @@ RoundedPolynomial raised_to(const RoundedPolynomial &a, const BernsteinShape &sh
     return a * RoundedPolynomial{rest, ones, std::vector<double>(ones.size(), 0.0)};
 }
 
-// Each step of the means rounds them by 3 / 2 eps.
+// Each step of taking means has a rounding error of 3 / 2 eps.
 void add_rounding_of_means(RoundedPolynomial &a, int degree) noexcept {
     for (size_t i = 0; i < a.values.size(); ++i) {
         a.errors[i] += 1.5 * degree * eps * std::abs(a.values[i]);
@@ -102,7 +102,7 @@ RoundedPolynomial side_by_side(const std::vector<RoundedPolynomial> &components)
     return result;
 }
 
-// (a + e)(b + f) = a b + a f + e (b + f), and the rounding of a b: binomials of both factors and of the
+// (a + e)(b + f) = a b + a f + e (b + f), plus the rounding of a b: binomials of both factors and of the
 // product, three multiplications, and sums of as many terms as the smaller factor has coefficients; half an
 // eps each.
 RoundedPolynomial operator*(const RoundedPolynomial &a, const RoundedPolynomial &b) {
@@ -225,7 +225,7 @@ RoundedPolynomial value_at(RoundedPolynomial a, int axis, double place) {
     return end_value(a, axis, false);
 }
 
-// a_0 = 0 gives a = x sum_j a_(j+1) n / (j+1) B_j of degree n - 1.
+// If a_0 = 0, then a = x sum_j a_(j+1) n / (j+1) B_j with B_j of degree n - 1.
 int divide_end(RoundedPolynomial &a, int axis, bool upper, int most) {
     int times = 0;
     while (true) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a function of one variable changes its sign, as told by Bernstein coefficients that are known to a
-// stated uncertainty: quick, and blind to less than that. sign_runs.h proves more, at the price of running
-// error bounds.
+// Finds where a function of one variable changes its sign, from Bernstein coefficients known to a given
+// uncertainty. Fast, and blind to anything below that uncertainty. sign_runs.h proves more, at the price of
+// running error bounds.
 #pragma once
 
 #include "bernstein/de_casteljau.h"
@@ -15,7 +15,7 @@
 
 namespace nrb::inline bernstein {
 
-// Coefficients of which each is known to the uncertainty, or with weights to that times its own.
+// Bernstein coefficients, each known to `uncertainty`, or, if `weighted`, to `uncertainty` times its weight.
 template <size_t kSize>
 struct UncertainNet {
     int degree = 0;
@@ -24,13 +24,13 @@ struct UncertainNet {
     std::array<double, kSize> values{};
     std::array<double, kSize> weights{};
 
-    // 0: no farther from 0 than is known.
+    // 0 if the coefficient is no farther from 0 than its uncertainty.
     [[nodiscard]] int sign(int j) const noexcept {
         const auto at = static_cast<size_t>(j);
         const double x = values[at], known = weighted ? uncertainty * weights[at] : uncertainty;
         return std::fabs(x) <= known ? 0 : x > 0 ? 1 : -1;
     }
-    // This becomes the upper half.
+    // Halves the net: returns the lower half; this becomes the upper half.
     [[nodiscard]] UncertainNet take_lower_half() noexcept {
         UncertainNet lower = *this;
         subdivide(degree, 1, 0.5, values.data(), lower.values.data());
@@ -41,30 +41,31 @@ struct UncertainNet {
     }
 };
 
-// What is known of the signs inside an interval.
+// The signs that occur inside an interval.
 struct SignProfile {
     bool below = false;
     bool above = false;
-    std::vector<double> crossings; // parameters at which the sign changes, rising
+    std::vector<double> crossings; // parameters at which the sign changes, in increasing order
 };
 
-// By halving until coefficients change their sign at most once on each part (Lane & Riesenfeld, "Bounds on a
-// polynomial", BIT 21 (1981)), then secants of `value`, the function itself, to neighbouring doubles. Of places
-// where it touches 0 without crossing it nothing is reported but the side. Cost: degree^2 for each halving, at
-// most some 50 degree of them, and some 10 evaluations for a crossing, at most twice as many as it has bits.
+// Subdivides until the coefficients of each part have at most one sign change (Lane & Riesenfeld, "Bounds on
+// a polynomial", BIT 21 (1981)), then refines the crossing by the secant method on `value`, the function
+// itself, down to neighbouring doubles. Where the function touches 0 without crossing it, only its side is
+// reported. Cost: degree^2 for each subdivision, of which there are at most some 50 degree, and some 10
+// evaluations for a crossing, at most twice as many as it has bits.
 template <size_t kSize, class Value>
 class SignWalk {
 public:
     explicit SignWalk(Value value) : value_(std::move(value)) {}
 
-    // The net is that over [lower, upper].
+    // `net` is the net over [lower, upper].
     SignProfile walk(UncertainNet<kSize> net, double lower, double upper) && {
         visit(net, lower, upper);
         return std::move(profile_);
     }
 
 private:
-    // Parts in the order of their parameters.
+    // Visits the parts in the order of their parameters.
     void visit(UncertainNet<kSize> &net, double lower, double upper) {
         int first = 0, last = 0, changes = 0;
         for (int j = 0; j <= net.degree; ++j) {
@@ -83,7 +84,7 @@ private:
         }
     }
 
-    // A part that begins with one sign and ends with another one, or the same.
+    // Adds a part that begins with the sign `first` and ends with the sign `last`.
     void add(int first, int last, double lower, double upper) {
         if (before_ * first < 0) {
             profile_.crossings.push_back(lower);
@@ -96,8 +97,8 @@ private:
         profile_.above = profile_.above || first > 0 || last > 0;
     }
 
-    // Secants, which a step towards the middle takes past the zero, so that both ends close in; a step that did not halve
-    // the interval is followed by one that does.
+    // The secant method with bracketing. Each secant step is pushed towards the middle, past the zero, so
+    // that both ends close in; a step that did not halve the interval is followed by a bisection.
     [[nodiscard]] double root(double lower, double upper, int last) const {
         const double whole = upper - lower;
         double at_lower = value_(lower), at_upper = value_(upper), before = HUGE_VAL;
@@ -106,7 +107,7 @@ private:
             if (middle == lower || middle == upper) {
                 return middle;
             }
-            // Values at the ends of a part may be known too little to have their signs.
+            // Near an end of a part, the values may be too small to have the signs expected there.
             const bool differ = std::min(at_lower, at_upper) < 0 && std::max(at_lower, at_upper) > 0;
             const double secant = lower + length * (at_lower / (at_lower - at_upper));
             const double t = length > before / 2 || !differ
@@ -127,8 +128,9 @@ private:
         double lower, middle, upper;
     };
 
-    // Inside, nearer to the middle by a tenth of the share of the interval, but not at first, when a straight line is met
-    // exactly; the middle where t is no number.
+    // Moves t towards the middle by a tenth of the interval times its share of the whole, except in the first
+    // step, where the zero of a straight line is hit exactly. Stays strictly inside; returns the middle if t
+    // is NaN.
     [[nodiscard]] static double pushed(double t, const Bracket &in, double share) noexcept {
         const double push = share < 1 ? share * (in.upper - in.lower) / 10 : 0;
         if (!(std::fabs(t - in.middle) > push)) {

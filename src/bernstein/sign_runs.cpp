@@ -11,15 +11,15 @@ namespace nrb::inline bernstein {
 
 namespace {
 
-constexpr int axis = 2;             // of the three, which curves lie along
-constexpr double least = 0x1p-48;   // parts are not halved any further
-constexpr int most_halvings = 4096; // of one polynomial, where rounding leaves many parts open
+constexpr int axis = 2;             // of the three axes, the one along which curves lie
+constexpr double least = 0x1p-48;   // parts shorter than this are not subdivided
+constexpr int most_halvings = 4096; // per polynomial, where rounding leaves many parts undecided
 
-// Where parts are halved: the first place that is not near a zero.
+// Candidates for the place of subdivision: the first one that is not near a zero is taken.
 constexpr double split_places[] = {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
 
-// How often the sign of coefficients changes: at least and, if those without a certain sign are chosen so
-// that it is most often, up to 2 for more.
+// Number of sign changes of the coefficients: the least that is certain, and the most over all choices for
+// coefficients without a certain sign, where the latter may be overestimated by up to 2.
 struct Variations {
     int least = 0;
     int most = 0;
@@ -27,8 +27,8 @@ struct Variations {
 
 Variations variations(const RoundedPolynomial &f) noexcept {
     Variations count;
-    int last = 0;    // certain sign
-    int unknown = 0; // since then
+    int last = 0;    // the last certain sign
+    int unknown = 0; // number of coefficients since then
     for (size_t i = 0; i < f.values.size(); ++i) {
         const int sign = f.sign(i);
         if (sign == 0) {
@@ -37,7 +37,7 @@ Variations variations(const RoundedPolynomial &f) noexcept {
         }
         const bool change = last != 0 && sign != last;
         count.least += change ? 1 : 0;
-        // unknown ones between + and + can add two changes, between + and - none but in pairs
+        // Unknown signs between + and + can add two changes; between + and - they add none, except in pairs.
         count.most += (change ? 1 : 0) + (unknown > (change ? 1 : 0) ? 2 : 0);
         last = sign;
         unknown = 0;
@@ -51,8 +51,8 @@ double value_at(std::vector<double> b, double x) noexcept {
     return b[0];
 }
 
-// The zero of a polynomial whose values at 0 and 1 have different signs: the rule of false position with A.
-// Bjoerck and N. Anderson's factor (BIT 13 (1973)), safeguarded by halving.
+// The zero of a polynomial whose values at 0 and 1 have different signs: the method of A. Bjoerck and N.
+// Anderson (regula falsi, BIT 13 (1973)), safeguarded by bisection.
 double bracketed_zero(const std::vector<double> &b) {
     double low = 0, high = 1, f_low = b.front(), f_high = b.back();
     int side = 0;
@@ -81,7 +81,7 @@ double bracketed_zero(const std::vector<double> &b) {
     return std::abs(f_low) < std::abs(f_high) ? low : high;
 }
 
-// Consecutive runs of one kind are one.
+// Appends a run; consecutive runs of the same kind are merged.
 void append(std::vector<SignRun> &runs, SignRun run) {
     const bool hidden = run.sign == 0 && !run.simple;
     if (!runs.empty() && runs.back().sign == run.sign && runs.back().simple == run.simple &&
@@ -114,7 +114,7 @@ public:
     }
 
 private:
-    // At a place where the sign is certain.
+    // Subdivides at a place where the sign is certain.
     void halve(const RoundedPolynomial &f, double from, double to) {
         for (const double place : split_places) {
             if (to - from < least || halvings_ > most_halvings || work_ended()) {
@@ -137,7 +137,7 @@ private:
     int halvings_ = 0;
 };
 
-// Halving until every part has no zero, or one.
+// Subdivides until every part has no zero, or one.
 class VectorIsolation {
 public:
     void run(RoundedPolynomial v) {
@@ -157,7 +157,7 @@ public:
     [[nodiscard]] std::vector<ZeroPlace> take() { return std::move(places_); }
 
 private:
-    // Overlapping and touching ones are one.
+    // Overlapping and adjacent places are merged.
     void note(ZeroPlace place) {
         if (!places_.empty() && place.from <= places_.back().to) {
             ZeroPlace &last = places_.back();
@@ -169,7 +169,8 @@ private:
         places_.push_back(place);
     }
 
-    // Not where a component, or the projection to the sum of the ends, has no zero.
+    // False if a component, or the projection onto the sum of the vectors at both ends, certainly has no
+    // zero.
     static bool may_vanish(const RoundedPolynomial &v) {
         RoundedPolynomial along;
         const auto n = static_cast<size_t>(v.shape.width);
@@ -205,7 +206,7 @@ private:
         halve(v, from, to);
     }
 
-    // At a place where not all components may vanish.
+    // Subdivides at a place where not all components vanish up to rounding.
     void halve(const RoundedPolynomial &v, double from, double to) {
         for (const double place : split_places) {
             if (to - from < least || ++halvings_ > most_halvings || work_ended()) {
@@ -222,7 +223,8 @@ private:
         note({from, to, false});
     }
 
-    // All components at the zero of one, which rounding moves by its error over its derivative.
+    // Whether all components vanish up to rounding at the zero of one of them, which rounding moves by its
+    // error over its derivative.
     static bool vanish_at(const RoundedPolynomial &v, int pivot, double zero) {
         const auto n = static_cast<size_t>(v.shape.width);
         RoundedPolynomial upper = v;
@@ -246,7 +248,7 @@ private:
     int halvings_ = 0;
 };
 
-// With f = x^m q the zeros of f + e are where q x^m = -e.
+// With f = x^m q, the zeros of f + e are where x^m q = -e.
 bool doubtful_end(const RoundedPolynomial &f, double q, int times, bool upper) noexcept {
     double error = 0;
     for (size_t i = 0; i < static_cast<size_t>(times); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a polynomial has which sign, with proof.
+// Certified signs of a polynomial of one variable: root isolation in the Bernstein basis.
 #pragma once
 
 #include "bernstein/rounded_polynomial.h"
@@ -8,35 +8,36 @@
 
 namespace nrb::inline bernstein {
 
-// An interval between places 0 and 1. Sign 1 or -1: certain, but for the ends. Sign 0: a zero that is known
-// to be one and simple (`simple`, from and to being one place), or rounding hides the sign.
+// A subinterval of [0, 1]. Sign 1 or -1: the polynomial certainly has that sign in its interior. Sign 0:
+// either a certain zero, proven simple (`simple`, with from == to), or an interval in which rounding hides
+// the sign.
 struct SignRun {
     double from;
     double to;
     int sign;
     bool simple = false;
-    double zero = -1; // where the computed values of a hidden run change their sign, if they do
+    double zero = -1; // where the computed values of a hidden run change their sign; -1: they do not
 };
 
-// Runs one after the other, of alternating kinds. Coefficients that vanish to rounding at an end of [0, 1]
-// count as 0: they are divided out, so that zeros within rounding of the ends count as being at them, with
-// these multiplicities. With a zero of multiplicity m that is a distance of 2^(-32 / m) at most, or it is
-// `doubtful`.
+// Consecutive runs of alternating kinds. Coefficients that vanish up to rounding at an end of [0, 1] count as
+// 0 and are divided out, so that zeros within rounding of an end count as lying at it, with the
+// multiplicities below. For a zero of multiplicity m that distance is at most 2^(-32 / m); otherwise the
+// result is `doubtful`.
 struct SignRuns {
     std::vector<SignRun> runs;
     int zeros_at_start = 0;
     int zeros_at_end = 0;
-    bool nothing = false;  // the polynomial vanishes to rounding; there is one run, of sign 0
-    bool doubtful = false; // rounding moves the zeros at an end by more than it has to
+    bool nothing = false;  // the polynomial vanishes up to rounding; there is one run, of sign 0
+    bool doubtful = false; // rounding may move the zeros at an end farther than that
 };
 
-// Variation diminishing: no certain change of sign among the coefficients, no zero; one, exactly one
-// (Descartes). Everything else is halved, away from zeros of which the middle would be one, until rounding
-// hides all. Precondition: a scalar polynomial, of degree 0 on all axes but the last. Cost: quadratic in the
-// degree for each halving.
+// By the variation diminishing property (Descartes' rule of signs): no certain sign change among the
+// coefficients means no zero, one means exactly one zero. Other parts are subdivided, at places away from
+// zeros, until rounding hides everything. Precondition: a scalar polynomial, of degree 0 on all axes but the
+// last. Cost: quadratic in the degree for each subdivision.
 SignRuns sign_runs(RoundedPolynomial f);
 
-// Where all components of a vector vanish to rounding, as places that rise. One that is not `certain` is an
+// A place where all components of a vector polynomial vanish up to rounding. If it is not `certain`, it is an
 // interval in which rounding hides whether, and how often, they do.
 struct ZeroPlace {
     double from;
@@ -44,8 +45,9 @@ struct ZeroPlace {
     bool certain;
 };
 
-// A component without zero proves that there is none; one with a single zero leaves that place, where the
-// others are compared with their rounding. Ends count as in sign_runs().
+// The places, in increasing order. A component without zeros proves that the vector has none; a component
+// with a single zero leaves that place, where the other components are compared with their rounding errors.
+// Ends are treated as in sign_runs().
 std::vector<ZeroPlace> zero_places(RoundedPolynomial v);
 
 } // namespace nrb::inline bernstein

@@ -18,7 +18,7 @@ double rounded_up(double x) noexcept {
     return std::nextafter(x, infinity);
 }
 
-// The extremes of one coordinate times a sign.
+// Bounds of the largest value of sign times a coordinate.
 pieces::LargestValue face(const pieces::SplinePieces &pieces, int coordinate, double sign, double tolerance) {
     const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
         pieces.fill(i, coordinate, sign, out);
@@ -27,7 +27,7 @@ pieces::LargestValue face(const pieces::SplinePieces &pieces, int coordinate, do
 }
 
 // How far an evaluated point may be from the exact one, by the accuracy contract: c eps times the largest
-// coordinate of a control point, and times a ratio of weights of at most 4.
+// coordinate of a control point, times a ratio of weights of at most 4.
 double evaluation_error(const Spline &spline) {
     if (spline.form() == Form::homogeneous) {
         return 0;
@@ -39,7 +39,7 @@ double evaluation_error(const Spline &spline) {
     return factor * eps * largest_magnitude(spline.effective().points());
 }
 
-// At a place that is the end of a piece the spline has the limit from inside that piece.
+// At the end of a piece the spline takes its limit from inside that piece.
 double value_at(const Spline &spline, const double *direction, const std::array<double, max_axes> &params,
                 const std::array<double, max_axes> &place) {
     eval::AxisRules rules{};

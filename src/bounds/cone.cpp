@@ -19,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 
 using Vector = std::vector<double>;
 
-// The angle between a unit vector and any other vector, accurate whatever the size of the angle (W. Kahan).
+// The angle between a unit vector and another vector, accurate for angles of any size (W. Kahan).
 double angle_between(const double *unit, const double *v, int n) noexcept {
     const double size = norm(v, n);
     const double apart = norm_of(n, [&](int c) { return v[c] / size - unit[c]; });
@@ -27,7 +27,7 @@ double angle_between(const double *unit, const double *v, int n) noexcept {
     return 2 * std::atan2(apart, across);
 }
 
-// By how much rounding may have turned coefficient i: pi if the coefficient may be 0.
+// The angle by which rounding may have turned coefficient i; pi if the coefficient may be 0.
 double turned(const RoundedPolynomial &a, size_t i, double size) noexcept {
     const auto n = static_cast<size_t>(a.shape.width);
     const double error =
@@ -35,8 +35,8 @@ double turned(const RoundedPolynomial &a, size_t i, double size) noexcept {
     return error < size ? 1.01 * std::asin(std::min(1.0, error / size)) + 8 * eps : pi;
 }
 
-// The largest angle between coefficients and a unit vector, each turned by its rounding. Coefficients that
-// are exactly 0 have no direction.
+// The largest angle between the coefficients and a unit vector, each increased by the angle of its rounding.
+// Coefficients that are exactly 0 have no direction.
 double largest_angle(const RoundedPolynomial &a, const double *unit) noexcept {
     const int n = a.shape.width;
     double largest = 0;
@@ -54,7 +54,7 @@ double largest_angle(const RoundedPolynomial &a, const double *unit) noexcept {
     return largest <= pi ? largest : pi;
 }
 
-// The unit vector of the sum of the unit vectors of all coefficients; empty if there is none.
+// The unit vector of the sum of the unit vectors of all coefficients; empty if that sum vanishes.
 Vector mean_direction(const RoundedPolynomial &a) {
     const auto n = static_cast<size_t>(a.shape.width);
     Vector sum(n, 0.0);
@@ -69,7 +69,7 @@ Vector mean_direction(const RoundedPolynomial &a) {
     return size > 0 && std::isfinite(size) ? sum : Vector();
 }
 
-// A numerator without the ends of pieces on which it vanishes.
+// The numerator with its zeros at ends of the piece divided out.
 RoundedPolynomial without_zeros(RoundedPolynomial a) {
     for (int axis = 0; axis < max_axes; ++axis) {
         if (a.shape.degrees[static_cast<size_t>(axis)] > 0 && !vanishes(a)) {
@@ -82,7 +82,7 @@ RoundedPolynomial without_zeros(RoundedPolynomial a) {
 
 using Numerators = std::function<RoundedPolynomial(int64_t)>;
 
-// The largest angle from a direction.
+// Branch and bound for the largest angle from a direction.
 class AngleProblem {
 public:
     struct Piece {
@@ -93,8 +93,9 @@ public:
         : source_(source), direction_(direction), tolerance_(tolerance) {}
 
     [[nodiscard]] Piece load(int64_t index) const { return {source_(index), {}}; }
-    // Coefficients within a right angle of the direction have a convex cone that is no farther from it. A
-    // wider cone is that of the piece about an axis of its own, turned.
+    // If all coefficients are within a right angle of the direction, their convex cone is no farther from it
+    // than they are. Otherwise the cone is bounded about a direction of its own, and the angle between both
+    // directions is added.
     [[nodiscard]] double upper(const RoundedPolynomial &a) const {
         const double about = largest_angle(a, direction_.data());
         if (about < pi / 2) {
@@ -132,7 +133,7 @@ public:
     }
 
 private:
-    // The largest angle at corners, where coefficients are values.
+    // The largest angle at the corners, where coefficients are values.
     [[nodiscard]] double lower(const RoundedPolynomial &a) const noexcept {
         double largest = 0;
         for (int corner = 0; corner < 8; ++corner) {
@@ -155,10 +156,11 @@ double product(const Vector &a, const Vector &b) noexcept {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// The direction whose smallest product with the unit vectors is largest. It is that of the shortest vector of
-// their convex hull, to which weight is moved from the vector farthest along it to the vector least so (B.
-// Mitchell, V. Demyanov, V. Malozemov, "Finding the point of a polyhedron closest to the origin", SIAM J.
-// Control 12 (1974)). Empty if there are no vectors, or if the hull comes to the origin.
+// The direction whose smallest dot product with the unit vectors is largest: that of the shortest vector of
+// their convex hull. The algorithm moves weight from the vector farthest along the current point to the
+// vector least far along it (B. Mitchell, V. Demyanov, V. Malozemov, "Finding the point of a polyhedron
+// closest to the origin", SIAM J. Control 12 (1974)). Empty if there are no vectors, or if the hull contains
+// the origin up to rounding.
 Vector middle_direction(const std::vector<Vector> &units) {
     constexpr int most_steps = 500;
     if (units.empty()) {
@@ -197,7 +199,7 @@ Vector middle_direction(const std::vector<Vector> &units) {
     return x;
 }
 
-// The directions of all coefficients that have one; of some of them if there are very many.
+// The unit vectors of all coefficients that have a direction; a sample of them if there are very many.
 std::vector<Vector> directions(int64_t pieces, const Numerators &source) {
     constexpr int64_t most_pieces = 1024;
     constexpr size_t most_units = 8192;
@@ -217,7 +219,7 @@ std::vector<Vector> directions(int64_t pieces, const Numerators &source) {
     return units;
 }
 
-// If derivatives vanish along lines inside pieces, no number of halvings is enough.
+// Where derivatives vanish along lines inside pieces, no number of subdivisions would be enough.
 constexpr int most_cone_halvings = 2000;
 
 Cone cone_of(int64_t pieces, int dim, const Numerators &source, double tolerance) {

@@ -33,7 +33,7 @@ std::span<const double> inner_knots(const KnotVector &axis, Interval part) {
     return {first, std::lower_bound(first, axis.knots().end(), part.upper)};
 }
 
-// The knots of both splines in an interval, with its ends.
+// The knots of both splines inside an interval, and its ends.
 std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Interval part) {
     const std::span<const double> a = inner_knots(f, part), b = inner_knots(g, part);
     std::vector<double> breaks{part.lower};
@@ -47,7 +47,7 @@ std::vector<double> common_breaks(const KnotVector &f, const KnotVector &g, Inte
 
 } // namespace
 
-// What both nets share.
+// What the nets of both splines share.
 struct DeviationPieces::Setting {
     pieces::BernsteinNet::Breaks breaks;
     std::array<int, max_axes> degrees{};
@@ -103,7 +103,7 @@ DeviationsFrom::~DeviationsFrom() = default;
 DeviationPieces DeviationsFrom::to(const Spline &g) {
     auto setting = std::make_unique<DeviationPieces::Setting>(f_, g, -1, Interval{});
     if (net_ == nullptr || !setting_->same_first(*setting)) {
-        net_ = nullptr; // gives back its memory first
+        net_ = nullptr; // releases its memory first
         net_ = DeviationPieces::first_net(f_, *setting);
     }
     setting_ = std::move(setting);
@@ -126,7 +126,8 @@ void unscale(std::vector<double> &values, const std::vector<double> &factors) no
 
 } // namespace
 
-// The pieces of both splines, one after another, and the sizes that their errors are counted in.
+// The difference of both splines, one piece after another, and the quantities to which its errors are
+// relative.
 class DeviationPieces::Difference {
 public:
     Difference(const pieces::BernsteinNet &f, const pieces::BernsteinNet &g)
@@ -167,7 +168,7 @@ public:
     }
 
 private:
-    // (A - B) / w, where w* and v* may differ by their errors.
+    // (A - B) / w; the exact weights w* and v* may still differ by their errors.
     void fill_alike(pieces::QuotientPiece &out) const {
         out.shape = vector_;
         out.numerators = a_;
@@ -183,7 +184,8 @@ private:
         out.quotient_error += eps * largest * std::sqrt(vector_.width);
     }
 
-    // The largest |A - B| / w, |w - v| / w and v / w; a weight of 0 in one spline only makes them infinite.
+    // The largest |A - B| / w, |w - v| / w and v / w over the coefficients; infinite if a weight is 0 in f
+    // only.
     void measure() {
         ratio_ = 1;
         points_apart_ = weights_apart_ = 0;
@@ -203,7 +205,7 @@ private:
         }
     }
 
-    // (A - B) v - B (w - v) and w v. Destroys the factors.
+    // Forms (A - B) v - B (w - v) and w v. Overwrites the factors.
     void fill_products(pieces::QuotientPiece &out) {
         scale(a_, vector_factors_);
         scale(b_, vector_factors_);
@@ -224,7 +226,8 @@ private:
         unscale(out.denominators, denominator_factors_);
     }
 
-    // Errors of A - B and v, of B and w - v, and of the products, each relative to the sums of w v.
+    // The errors of A - B and v, of B and w - v, and of the products, each relative to the coefficients of w
+    // v.
     void add_relative_errors(pieces::QuotientPiece &out) const {
         const double f = f_.error(), g = g_.error(), product = product_error(vector_, scalar_) + eps;
         const double entering = 2 * size_ * (f + g * ratio_);
@@ -234,7 +237,7 @@ private:
         out.numerator_error = out.denominator_error = 0;
     }
 
-    // The same with the largest of each, for weights of any sign.
+    // The same from the largest of each quantity, for weights of any sign.
     void add_absolute_errors(pieces::QuotientPiece &out) const {
         const double f = f_.error(), g = g_.error(), product = product_error(vector_, scalar_) + eps;
         const double w = f_.largest_weight(), v = g_.largest_weight();
@@ -255,7 +258,7 @@ private:
     const pieces::BernsteinNet &g_;
     BernsteinShape vector_, scalar_, numerator_, denominator_;
     std::vector<double> vector_factors_, scalar_factors_, numerator_factors_, denominator_factors_;
-    std::vector<double> a_, b_, w_, v_, e_, rest_; // of the present piece
+    std::vector<double> a_, b_, w_, v_, e_, rest_; // of the current piece
     double size_ = 0;
     double ratio_ = 1;
     double points_apart_ = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far two splines of the same domain are apart, with proof.
+// Certified bounds of the deviation (maximum distance at equal parameters) of two splines over the same
+// domain.
 #pragma once
 
 #include "pieces/bernstein_net.h"
@@ -9,14 +10,15 @@
 
 namespace nrb::bounds {
 
-// The difference of two splines as quotients of Bernstein polynomials, piece by piece. With homogeneous
-// points A, w of f and B, v of g about a common centre
+// The difference of two splines f and g as quotients of Bernstein polynomials, piece by piece. With the
+// homogeneous coordinates A, w of f and B, v of g about a common centre,
 //     f - g = (A v - B w) / (w v) = ((A - B) v - B (w - v)) / (w v).
-// Here the differences are small where the splines are close, and so is the rounding of the products. If the
-// weights of a piece agree bit for bit (as in polynomial splines), the difference is (A - B) / w.
+// Where the splines are close, the differences in the last form are small, and so are the rounding errors of
+// the products. If the weights of a piece agree bit for bit (as in polynomial splines), the difference is
+// (A - B) / w.
 class DeviationPieces {
 public:
-    // Throws Status::incompatible unless axes, dimensions and domains agree, overflow,
+    // Throws Status::incompatible unless axes, dimensions and domains agree; also overflow,
     // not_representable.
     DeviationPieces(const Spline &f, const Spline &g);
     // The same for the pieces in [lower, upper] of one axis only.
@@ -24,7 +26,7 @@ public:
 
     [[nodiscard]] int64_t pieces() const noexcept { return g_.pieces(); }
     [[nodiscard]] const pieces::BernsteinNet::Breaks &breaks() const noexcept { return breaks_; }
-    // A bound for each piece.
+    // An upper bound for each piece.
     [[nodiscard]] std::vector<double> uppers() const;
     // Bounds of the largest distance.
     [[nodiscard]] pieces::Enclosure enclosure(std::span<const double> uppers,
@@ -43,11 +45,11 @@ private:
     pieces::BernsteinNet g_;
 };
 
-// How far one spline is from others, one after another: its own pieces are made again only where those of the other
-// are not the same.
+// The deviation of one spline from others, one after another: its own pieces are only recomputed when the
+// other spline leads to different pieces.
 class DeviationsFrom {
 public:
-    // The spline must outlive this.
+    // The spline must outlive this object.
     explicit DeviationsFrom(const Spline &f) noexcept;
     DeviationsFrom(const DeviationsFrom &) = delete;
     DeviationsFrom &operator=(const DeviationsFrom &) = delete;
@@ -61,14 +63,14 @@ private:
     DeviationPieces::NetPtr net_;
 };
 
-// sup |f(t) - g(t)| over the domain, including both limits at jumps. Rounding is in the bounds. Apart from
+// sup |f(t) - g(t)| over the domain, including both limits at jumps. The bounds include rounding. Apart from
 // rounding they differ by a factor of at most 5/4, unless the search ends at its limit of steps. The upper
 // bound is infinite where a denominator cannot be shown to have no zero.
 pieces::Enclosure deviation(const Spline &f, const Spline &g);
 pieces::Enclosure deviation(const Spline &f, const Spline &g, int axis, Interval part);
 
-// An upper bound of the same, whose search goes on while the bounds leave open whether the deviation is above the limit, until they
-// agree to a thousandth.
+// An upper bound of the deviation. If the bounds leave open whether it exceeds `limit`, the search goes on
+// until they agree to a thousandth.
 double deviation_below(const Spline &f, const Spline &g, double limit);
 
 } // namespace nrb::bounds

@@ -14,7 +14,7 @@ namespace nrb::bounds {
 
 namespace {
 
-// axes . (x - centre) of every point lies in [lower, upper].
+// axes . (x - centre) of every point x lies in [lower, upper].
 struct Extents {
     std::vector<double> lower;
     std::vector<double> upper;
@@ -40,7 +40,7 @@ Extents extents(const pieces::SplinePieces &pieces, const std::vector<double> &a
     return found;
 }
 
-// The largest entry of A A^T - 1, with the rounding of its own.
+// The largest entry of A A^T - 1, including its own rounding.
 double skewness(const std::vector<double> &axes, size_t dim) {
     double largest = 0;
     for (size_t i = 0; i < dim; ++i) {
@@ -53,8 +53,8 @@ double skewness(const std::vector<double> &axes, size_t dim) {
     return largest + static_cast<double>(dim + 2) * eps;
 }
 
-// The box about the middle m of the extents: x - c = A^T z with A A^T = 1 + E gives A (x - c) = (1 + E) z, so
-// that z - m is in [-half, half] apart from E z, and from what rounding does to c + A^T m.
+// The box about the middle m of the extents. With A A^T = 1 + E, x - c = A^T z gives A (x - c) = (1 + E) z.
+// So z - m lies in [-half, half], apart from E z and the rounding of c + A^T m.
 OrientedBox box_of(const pieces::SplinePieces &pieces, std::vector<double> axes, const Extents &found) {
     const size_t dim = pieces.centre().size();
     OrientedBox box{pieces.centre(), std::move(axes), {}};
@@ -80,8 +80,8 @@ OrientedBox box_of(const pieces::SplinePieces &pieces, std::vector<double> axes,
     return box;
 }
 
-// A side of no length counts as one of the length of rounding, so that boxes of flat shapes compare by their
-// other sides.
+// The binary logarithm of the volume. A side shorter than rounding counts as of that length, so that boxes of
+// flat shapes are compared by their other sides.
 double content(const Extents &found) {
     double longest = 0, product = 0;
     for (size_t r = 0; r < found.lower.size(); ++r) {

@@ -11,7 +11,7 @@ namespace {
 
 using BinomialTable = std::array<std::array<double, max_product_degree + 1>, max_product_degree + 1>;
 
-// In integers: the largest, (62 over 31), has 59 bits.
+// Computed in integers: the largest, C(62, 31), has 59 bits.
 BinomialTable make_binomials() noexcept {
     BinomialTable table{};
     std::array<uint64_t, max_product_degree + 1> row{1};

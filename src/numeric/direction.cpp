@@ -8,7 +8,7 @@
 
 namespace nrb::inline numeric {
 
-// Scaled by a power of two first, so that no length over- or underflows.
+// The direction is first scaled by a power of two, so that its length neither over- nor underflows.
 std::vector<double> unit_vector(const double *direction, int dim) {
     std::vector<double> unit(direction, direction + dim);
     const int exponent = -std::ilogb(largest_magnitude(unit));

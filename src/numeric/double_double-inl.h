@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// DoubleDouble (numeric/double_double.h) in the lanes of vectors, for coefficients that are used a million
-// times. Included once for every instruction set: see base/simd.h.
+// DoubleDouble (numeric/double_double.h) in the lanes of vectors, for coefficients that are needed by the
+// million. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
 #undef NURBS_NUMERIC_DOUBLE_DOUBLE_INL_H_
@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The constructors are written out, because those that a compiler adds are not compiled for the instruction
+// The constructors are written out, because compiler-generated ones would not be compiled for the instruction
 // set.
 template <class V>
 struct DoubleDoubleLanes {
@@ -28,7 +28,7 @@ struct DoubleDoubleLanes {
     V low;
 };
 
-// a + b exactly (Knuth).
+// a + b exactly (Knuth's two-sum).
 template <class V>
 HWY_INLINE DoubleDoubleLanes<V> exact_sum(V a, V b) {
     const V sum = hn::Add(a, b);
@@ -36,16 +36,16 @@ HWY_INLINE DoubleDoubleLanes<V> exact_sum(V a, V b) {
     return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, part)), hn::Sub(b, part))};
 }
 
-// The same where |a| >= |b|.
+// a + b exactly. Precondition: |a| >= |b|.
 template <class V>
 HWY_INLINE DoubleDoubleLanes<V> ordered_sum(V a, V b) {
     const V sum = hn::Add(a, b);
     return {sum, hn::Sub(b, hn::Sub(sum, a))};
 }
 
-// The upper half of a number of 53 bits: rounded to 26, so that what is left has 26, too, and a sign. By way
-// of its bits, because Dekker's multiplication by 2^27 + 1 overflows for numbers that do not; cut off where
-// rounding would do so.
+// The upper half of a 53-bit significand: rounded to 26 bits, so that the remainder has 26 bits and a sign.
+// Works on the bits, because Dekker's multiplication by 2^27 + 1 overflows for large finite numbers;
+// truncates where rounding would overflow.
 template <class V>
 HWY_INLINE V upper_half(V a) {
     const hn::DFromV<V> d;
@@ -56,7 +56,7 @@ HWY_INLINE V upper_half(V a) {
     return hn::IfThenElse(hn::IsFinite(rounded), rounded, hn::And(a, hn::BitCast(d, kept)));
 }
 
-// a * b exactly: by a fused multiplication, or else by halves.
+// a * b exactly: by a fused multiply-add, or else from halves.
 template <class V>
 HWY_INLINE DoubleDoubleLanes<V> exact_product(V a, V b) {
     const V product = hn::Mul(a, b);
@@ -91,7 +91,7 @@ HWY_INLINE DoubleDoubleLanes<V> operator*(const DoubleDoubleLanes<V> &a, const D
     return ordered_sum(product.high, hn::Add(product.low, crossed));
 }
 
-// Newton's step on the rounded inverse.
+// The rounded inverse, corrected by a Newton step.
 template <class V>
 HWY_INLINE DoubleDoubleLanes<V> inverse(const DoubleDoubleLanes<V> &a) {
     const hn::DFromV<V> d;

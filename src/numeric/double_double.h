@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of twice the precision: unevaluated sums of two doubles (Dekker 1971). For many at a time there is
-// numeric/double_double-inl.h.
+// Double-double arithmetic: values of twice the precision as unevaluated sums of two doubles (Dekker 1971).
+// For many values at a time see numeric/double_double-inl.h.
 #pragma once
 
 #include <cfloat>
@@ -8,11 +8,11 @@
 
 namespace nrb::inline numeric {
 
-// On processors that compute with more digits (x87) the errors of operations would not be what is relied on.
+// Where the processor computes with more digits (x87), the error terms of the operations would not be exact.
 static_assert(FLT_EVAL_METHOD == 0, "operations on doubles have to be rounded to double");
 
-// high + low with |low| at most half a unit of rounding of high. Each operation is within 2^-102 of its
-// value, barring overflow and underflow; sums that cancel, within that of what was added.
+// high + low with |low| at most half an ulp of high. Barring overflow and underflow, each operation has a
+// relative error within 2^-102; for sums that cancel, the error is relative to the terms.
 struct DoubleDouble {
     double high = 0;
     double low = 0;
@@ -25,7 +25,7 @@ struct DoubleDouble {
         const double total = a + b, part = total - a;
         return {total, (a - (total - part)) + (b - part)};
     }
-    // Where |a| >= |b|.
+    // Precondition: |a| >= |b|.
     static DoubleDouble ordered_sum(double a, double b) noexcept {
         const double total = a + b;
         return {total, b - (total - a)};
@@ -52,7 +52,7 @@ inline DoubleDouble operator*(const DoubleDouble &a, const DoubleDouble &b) noex
     const DoubleDouble high = DoubleDouble::product(a.high, b.high);
     return DoubleDouble::ordered_sum(high.high, high.low + (a.high * b.low + a.low * b.high));
 }
-// Newton's step on the rounded quotient, with its exact remainder.
+// The rounded quotient, corrected by Newton steps with its exact remainder.
 inline DoubleDouble operator/(const DoubleDouble &a, const DoubleDouble &b) noexcept {
     const double first = a.high / b.high;
     const DoubleDouble rest = a - DoubleDouble(first) * b;
@@ -60,7 +60,7 @@ inline DoubleDouble operator/(const DoubleDouble &a, const DoubleDouble &b) noex
     const DoubleDouble last = rest - DoubleDouble(second) * b;
     return DoubleDouble::ordered_sum(first, second) + DoubleDouble(last.high / b.high);
 }
-// Of a value that is not negative.
+// Precondition: a >= 0.
 inline DoubleDouble square_root(const DoubleDouble &a) noexcept {
     const double first = std::sqrt(a.high);
     if (first == 0) {

@@ -12,7 +12,7 @@ int sign(double x) noexcept {
     return (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0);
 }
 
-// A product of two numbers as (high + low) 2^exponent, without rounding; |high| is in [1/4, 1).
+// The exact product of two numbers as (high + low) 2^exponent; |high| is in [1/4, 1).
 struct Product {
     double high = 0;
     double low = 0;
@@ -27,7 +27,8 @@ struct Product {
     }
 };
 
-// Of sums of two numbers each of which is at most half a unit of the first one.
+// The sign of (high + low) - (other_high + other_low), where each low part is at most half an ulp of its high
+// part.
 int compare(double high, double low, double other_high, double other_low) noexcept {
     const double difference = high - other_high; // exact where the magnitudes are within a factor of 2
     if (difference == 0) {
@@ -35,10 +36,10 @@ int compare(double high, double low, double other_high, double other_low) noexce
     }
     const double rest = low - other_low;
     const double sum = difference + rest;
-    if (sum != 0) { // rounding keeps the order of rest and -difference
+    if (sum != 0) { // rounding is monotone: the sum has the sign of the exact one
         return sign(sum);
     }
-    const double part = rest - low; // the error of rest, by Knuth's two-sum
+    const double part = rest - low; // Knuth's two-sum: the error of rest
     return sign((low - (rest - part)) - (other_low + part));
 }
 
@@ -64,7 +65,8 @@ double difference_of_products(double a, double b, double c, double d) noexcept {
 
 namespace {
 
-// A sum of numbers without rounding: components of rising magnitude, none of which has a bit in common with another one.
+// An exact sum of numbers, as an expansion in Shewchuk's sense: nonoverlapping components of increasing
+// magnitude.
 class Expansion {
 public:
     void add(double x) noexcept {

@@ -49,13 +49,13 @@ ExactSum &ExactSum::operator-=(const ExactSum &other) noexcept {
     return *this;
 }
 
-// The 106 bits from the highest one on, in two halves; what follows is below 2^-105 of them.
+// Takes the 106 bits from the leading one on, in two halves; the bits dropped are below 2^-105 of the value.
 DoubleDouble ExactSum::scaled(int exponent) const noexcept {
     std::array<uint64_t, 3> size = negative() ? negated(limbs_) : limbs_;
     if (zero()) {
         return {};
     }
-    int lowest = exponent + 64; // of the two limbs that are looked at
+    int lowest = exponent + 64; // exponent of the lower of the two limbs in use
     for (; size[2] == 0; lowest -= 64) {
         size = {0, size[0], size[1]};
     }
@@ -67,7 +67,7 @@ DoubleDouble ExactSum::scaled(int exponent) const noexcept {
     constexpr int half = 53, rest = 64 - half;
     const auto high = static_cast<double>(size[2] >> rest);
     const auto low = static_cast<double>((size[2] << half | size[1] >> rest) >> rest);
-    lowest += 64 + rest - shift; // of the higher half
+    lowest += 64 + rest - shift; // exponent of the upper half
     const DoubleDouble sum =
         DoubleDouble::ordered_sum(times_power_of_two(high, lowest), times_power_of_two(low, lowest - half));
     return negative() ? -sum : sum;

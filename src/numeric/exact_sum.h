@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integers of 128 and 192 bits, for sums of products that are exact and so do not depend on their order.
+// Integers of 128 and 192 bits, for exact sums of products, which do not depend on the order of their terms.
 #pragma once
 
 #include "numeric/double_double.h"
@@ -9,7 +9,7 @@
 
 namespace nrb::inline numeric {
 
-// Two's complement in two limbs, for compilers without a type for it.
+// Two's complement in two limbs, for compilers without a 128-bit integer type.
 class TwoLimbs {
 public:
     TwoLimbs() noexcept = default;
@@ -20,7 +20,7 @@ public:
         const TwoLimbs size = magnitude(absolute(a), absolute(b));
         return (a < 0) != (b < 0) ? TwoLimbs{} - size : size;
     }
-    // The upper half of a product of numbers without a sign.
+    // The upper half of the product of two unsigned numbers.
     static constexpr uint64_t high_product(uint64_t a, uint64_t b) noexcept {
         return static_cast<uint64_t>(magnitude(a, b).high_);
     }
@@ -31,7 +31,8 @@ public:
         high_ = wrapped(high_, other.high_, low_ < other.low_ ? 1 : 0);
         return *this;
     }
-    // Divided by 2^bits, rounded to the nearest, upwards in the middle. Preconditions: 0 < bits < 64, and the result fits.
+    // Divided by 2^bits and rounded to nearest, ties upwards. Preconditions: 0 < bits < 64, and the result
+    // fits.
     [[nodiscard]] constexpr int64_t rounded_shift(int bits) const noexcept {
         TwoLimbs sum = *this;
         sum += TwoLimbs{0, uint64_t{1} << (bits - 1)};
@@ -64,7 +65,7 @@ private:
 };
 
 #ifdef __SIZEOF_INT128__
-// The same in the type of the compiler.
+// The same, using the 128-bit type of the compiler.
 class Native128 {
 public:
     Native128() noexcept = default;
@@ -85,7 +86,8 @@ public:
         return *this;
     }
     [[nodiscard]] constexpr int64_t rounded_shift(int bits) const noexcept {
-        // Of two halves, and the bit that is rounded: some processors are slow to shift and carry between them.
+        // Shifted in two halves with an explicit rounding bit: some processors are slow to shift and carry
+        // across limbs.
         return static_cast<int64_t>((static_cast<uint64_t>(high()) << (64 - bits)) + (low() >> bits) +
                                     (low() >> (bits - 1) & 1));
     }
@@ -102,21 +104,22 @@ using Int128 = Native128;
 using Int128 = TwoLimbs;
 #endif
 
-// A sum in 192 bits: of 2^64 terms below 2^127.
+// A sum in 192 bits, enough for 2^64 terms below 2^127.
 class ExactSum {
 public:
     ExactSum() noexcept = default;
     explicit ExactSum(const std::array<uint64_t, 3> &limbs) noexcept : limbs_(limbs) {}
 
-    // The lowest limb first.
+    // The limbs, least significant first.
     [[nodiscard]] const std::array<uint64_t, 3> &limbs() const noexcept { return limbs_; }
-    // Adds term 2^shift, 0 <= shift < 64.
+    // Adds term * 2^shift, 0 <= shift < 64.
     void add(const Int128 &term, int shift) noexcept;
     ExactSum &operator+=(const ExactSum &other) noexcept;
     ExactSum &operator-=(const ExactSum &other) noexcept;
     [[nodiscard]] bool negative() const noexcept { return static_cast<int64_t>(limbs_[2]) < 0; }
     [[nodiscard]] bool zero() const noexcept { return (limbs_[0] | limbs_[1] | limbs_[2]) == 0; }
-    // Times 2^exponent, within 2^-104, where nothing leaves the range of normal numbers.
+    // The sum times 2^exponent, with a relative error within 2^-104 where nothing leaves the range of normal
+    // numbers.
     [[nodiscard]] DoubleDouble scaled(int exponent) const noexcept;
 
 private:

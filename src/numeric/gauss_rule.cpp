@@ -11,10 +11,10 @@ namespace nrb::inline numeric {
 namespace {
 
 struct Legendre {
-    DoubleDouble value, slope; // at x in (-1, 1)
+    DoubleDouble value, slope; // of P_n at x in (-1, 1)
 };
 
-// (k + 1) P_k+1 = (2 k + 1) x P_k - k P_k-1, and (1 - x^2) P_n' = n (P_n-1 - x P_n).
+// By the recurrence (k + 1) P_(k+1) = (2 k + 1) x P_k - k P_(k-1), and (1 - x^2) P_n' = n (P_(n-1) - x P_n).
 Legendre legendre(int n, const DoubleDouble &x) noexcept {
     DoubleDouble before = 1, value = x;
     for (int k = 1; k < n; ++k) {
@@ -26,7 +26,8 @@ Legendre legendre(int n, const DoubleDouble &x) noexcept {
     return {value, DoubleDouble(n) * (before - x * value) / (DoubleDouble(1) - x * x)};
 }
 
-// Node i >= (n - 1) / 2, counted from the largest one down: Tricomi's approximation has a few digits, which double with each step.
+// Node i <= (n - 1) / 2, counted from the largest node down. Newton's method starts from Tricomi's
+// approximation, which has a few correct digits; each step doubles them.
 DoubleDouble node_of(int n, int i) noexcept {
     DoubleDouble x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
     for (int step = 0; step < 6; ++step) {

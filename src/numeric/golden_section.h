@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Minima of functions of one variable.
+// Golden-section search for minima of functions of one variable.
 #pragma once
 
 namespace nrb::inline numeric {
 
-// The place in [a, b] where a function that has one minimum there is least, within 0.618^sections (b - a). It is evaluated
-// sections + 2 times.
+// The minimiser in [a, b] of a function that is unimodal there, within 0.618^sections (b - a). The function
+// is evaluated sections + 2 times.
 template <class Value>
 double golden_section(double a, double b, int sections, Value &&value) {
     constexpr double golden = 0.6180339887498949;

@@ -9,8 +9,9 @@ namespace nrb::inline numeric {
 
 namespace {
 
-// Computed with 160 digits: new nodes from the orthogonality of their polynomial times that of the old ones
-// to all lower powers, weights by integrating the Lagrange polynomials. Index 15 fills a vector up.
+// Computed with 160 digits. The new nodes of a level are the zeros of the polynomial whose product with that
+// of the old nodes is orthogonal to all lower powers; the weights are the integrals of the Lagrange
+// polynomials. Index 15 is padding to a whole vector.
 constexpr double places[] = {0.11270166537925831148,     0.5,
                              0.88729833462074168852,     0.019754365645989858288,
                              0.282878125326598721,       0.717121874673401279,
@@ -152,8 +153,8 @@ constexpr double legendre(int n, double x) {
     return value;
 }
 
-// The factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half the exactness,
-// and three about half as high.
+// The factors (2 k + 1) P_k(x_i) w_i of six Legendre coefficients: three high ones, up to half the degree of
+// exactness, and three about half as high.
 constexpr int coefficients = decay_sums - 1;
 constexpr int degrees[rule_levels][coefficients] = {{0, 0, 0, 0, 0, 0},
                                                     {5, 4, 3, 3, 2, 1},
@@ -221,7 +222,7 @@ void rule_basis_derivatives(int degree, double *derivatives) noexcept {
     if (degree == 0) {
         return;
     }
-    double *lower = derivatives + rule_capacity; // B_(i - 1) of degree - 1 in row i
+    double *lower = derivatives + rule_capacity; // row i holds B_(i-1) of degree - 1
     rule_basis(degree - 1, lower);
     for (int i = 0; i <= degree; ++i) {
         double *row = derivatives + i * rule_capacity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Euclidean lengths that neither overflow nor underflow on the way, and dot products, which may.
+// Euclidean norms without spurious overflow or underflow, and dot products, which may overflow or underflow.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,14 @@
 
 namespace nrb::inline numeric {
 
-// Whether a sum of squares has lost nothing that counts to the limits of doubles.
+// Whether a sum of squares is so far from overflow and underflow that no significant part is lost.
 constexpr bool safe_square(double sum) noexcept {
     return sum > 1e-280 && sum < 1e300;
 }
 
-// The length of a vector whose component c is x(c), within (n / 2 + 2) eps of itself at any size; not finite
-// if a component is not. Cost: one square root, and a second pass for sizes whose squares are not safe.
+// The Euclidean norm of a vector with components x(c), with a relative error within (n / 2 + 2) eps at any
+// size; not finite if a component is not. Cost: one square root, and a second pass where the squares are not
+// safe.
 template <class Component>
 double norm_of(int n, Component &&x) noexcept {
     double sum = 0;
@@ -33,7 +34,7 @@ double norm_of(int n, Component &&x) noexcept {
         return std::isnan(sum) ? sum : largest;
     }
     const double scale =
-        std::ldexp(1.0, -std::ilogb(largest) / 2); // applied twice, since its square may overflow
+        std::ldexp(1.0, -std::ilogb(largest) / 2); // applied twice, because its square may overflow
     sum = 0;
     for (int c = 0; c < n; ++c) {
         const double y = x(c) * scale * scale;
@@ -42,8 +43,8 @@ double norm_of(int n, Component &&x) noexcept {
     return std::sqrt(sum) / scale / scale;
 }
 
-// The same of many vectors of which number i has the components x(i, c): at first in loops that decide nothing, of which a
-// processor has several steps under way.
+// The norms of many vectors, where vector i has the components x(i, c). The first loops are free of branches,
+// so that the processor can overlap their iterations; unsafe sums are redone afterwards.
 template <class Size, class Component>
 void norms_of(Size n, Component &&x, std::span<double> lengths) noexcept {
     for (size_t i = 0; i < lengths.size(); ++i) {
@@ -79,7 +80,7 @@ inline double dot(const double *a, const double *b, int n) noexcept {
     return sum;
 }
 
-// Precondition: of one size.
+// Precondition: both have the same size.
 inline double dot(std::span<const double> a, std::span<const double> b) noexcept {
     return dot(a.data(), b.data(), static_cast<int>(a.size()));
 }

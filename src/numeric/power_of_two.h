@@ -8,8 +8,8 @@
 
 namespace nrb::inline numeric {
 
-// x 2^exponent as std::ldexp has it: a product with a power that is a normal number is rounded once, as the
-// result is.
+// x 2^exponent with the result of std::ldexp: where the power is a normal number, a product with it is
+// rounded once, as the result is.
 inline double times_power_of_two(double x, int exponent) noexcept {
     constexpr int bias = 1023, mantissa_bits = 52;
     if (exponent > -bias && exponent <= bias) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sums that are as accurate as if they had been formed in twice the precision.
+// Compensated summation: sums as accurate as if computed in twice the precision.
 #pragma once
 
 namespace nrb::inline numeric {
 
-// D. Knuth's two-sum gives the rounding error of an addition exactly; the errors are added up on their own
-// (T. Ogita, S. Rump, S. Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26 (2005), Sum2): the
-// value is off by at most eps / 2 of itself and (n eps / 2)^2 of the sum of the magnitudes of n terms.
+// Knuth's two-sum gives the rounding error of each addition exactly; the errors are summed separately (T.
+// Ogita, S. Rump, S. Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26 (2005), Sum2). The error
+// of the result is at most eps / 2 of the value plus (n eps / 2)^2 of the sum of the magnitudes of the n
+// terms.
 struct CompensatedSum {
     double sum = 0;
     double rest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of space, and of the plane with z = 0.
+// Vectors in space; those of the plane have z = 0.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct Vector3 {
     double z = 0;
 };
 
-// The first coordinates of a point, the others 0.
+// The coordinates of a point of dimension `dim` up to 3, padded with zeros.
 inline Vector3 vector_of(const double *x, int dim) noexcept {
     return {x[0], dim > 1 ? x[1] : 0, dim > 2 ? x[2] : 0};
 }
@@ -39,7 +39,7 @@ inline double largest(const Vector3 &a) noexcept {
     return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 
-// Of the largest coordinate; 0 of 0, infinities and NaN.
+// The binary exponent of the largest coordinate; 0 for the zero vector, infinities and NaN.
 inline int size_exponent(const Vector3 &a) noexcept {
     const double size = largest(a);
     return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
@@ -49,15 +49,15 @@ inline Vector3 times_power(const Vector3 &a, int exponent) noexcept {
     return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
 }
 
-// The vector times a power of two that brings its largest coordinate into [1, 2), so that squares and
-// products neither overflow nor underflow. 0, infinities and NaN stay.
+// The vector times the power of two that brings its largest coordinate into [1, 2), so that squares and
+// products neither overflow nor underflow. Zero, infinities and NaN are left unchanged.
 inline Vector3 scaled_to_one(const Vector3 &a) noexcept {
     const int exponent = size_exponent(a);
     return exponent == 0 ? a : times_power(a, -exponent);
 }
 
-// Squared lengths between these can be used without loss; other vectors are scaled first, which changes no
-// bit of what does not depend on the scale.
+// Squared lengths between these lose nothing; other vectors are scaled first, which does not change a single
+// bit of results that are independent of scale.
 inline constexpr double least_square = 0x1p-900;
 inline constexpr double largest_square = 0x1p900;
 inline bool in_range(double squared) noexcept {
@@ -69,7 +69,7 @@ inline double length(const Vector3 &a) noexcept {
     return in_range(squared) ? std::sqrt(squared) : std::hypot(a.x, a.y, a.z);
 }
 
-// a / |a|; NaN for 0.
+// a / |a|; NaN for the zero vector.
 inline Vector3 unit(const Vector3 &a) noexcept {
     const double squared = dot(a, a);
     if (in_range(squared)) {
@@ -79,14 +79,15 @@ inline Vector3 unit(const Vector3 &a) noexcept {
     return (1 / std::sqrt(dot(b, b))) * b;
 }
 
-// The unit vector of the part of a across the unit vector t. The second pass removes what cancellation leaves
-// along t when the two are nearly parallel.
+// The unit vector along the component of a perpendicular to the unit vector t. The second pass removes what
+// cancellation leaves along t when the two are nearly parallel.
 inline Vector3 unit_across(const Vector3 &a, const Vector3 &t) noexcept {
     const Vector3 once = unit(a - dot(a, t) * t);
     return unit(once - dot(once, t) * t);
 }
 
-// The coordinate axis i of the smallest |t_i|, the first of several, made perpendicular to the unit vector t.
+// The coordinate axis i with the smallest |t_i|, the first of several, made perpendicular to the unit vector
+// t.
 inline Vector3 any_normal(const Vector3 &t) noexcept {
     const double least = std::min({std::fabs(t.x), std::fabs(t.y), std::fabs(t.z)});
     const Vector3 axis = std::fabs(t.x) == least   ? Vector3{1, 0, 0}

@@ -14,14 +14,14 @@ namespace nrb::pieces {
 
 namespace {
 
-constexpr int64_t work_of_a_record = 16; // which is moved, and measured
+constexpr int64_t work_of_a_record = 16; // for moving and measuring it
 
 double length(const double *x, int n) noexcept {
     double largest = 0;
     for (int c = 0; c < n; ++c) {
         largest = std::max(largest, std::abs(x[c]));
     }
-    return largest * std::sqrt(n); // at least the Euclidean norm
+    return largest * std::sqrt(n); // an upper bound of the Euclidean norm
 }
 
 LayerTable elevation_rows(int low, int high, int64_t first_piece, int64_t end) {
@@ -41,7 +41,7 @@ LayerTable elevation_rows(int low, int high, int64_t first_piece, int64_t end) {
     return table;
 }
 
-// The Bezier points of all pieces of an axis, of the degree that is asked for.
+// The Bezier points of all pieces along an axis, elevated to the degree `high`.
 SplinePtr separated(const SplinePtr &net, int axis, const std::vector<double> &breaks, int high) {
     const int p = net->axis(axis).degree();
     const PieceRows source(net->axis(axis), breaks);
@@ -57,7 +57,7 @@ SplinePtr separated(const SplinePtr &net, int axis, const std::vector<double> &b
                              });
 }
 
-// Replaces the layers of an axis by the maxima over those that are active on each piece.
+// Replaces the layers of an axis by the maxima over the layers that are active on each piece.
 std::vector<double> active_maxima(const std::vector<double> &sizes, const AxisView &view,
                                   const KnotVector &axis, const std::vector<double> &breaks) {
     const int64_t pieces = std::ssize(breaks) - 1;

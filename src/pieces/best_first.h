@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The best of what is left first, within a budget: the order of most searches with proof.
+// Best-first search within a budget: the order of most certified searches.
 #pragma once
 
 #include "base/watch.h"
@@ -12,12 +12,12 @@
 
 namespace nrb::pieces {
 
-// Pieces looked at for an answer where the caller sets no limit.
+// Number of pieces examined for an answer where the caller sets no limit.
 inline constexpr int64_t default_budget = 20000;
 
-// Items with an upper bound of what may be found in them, for the largest value; searches for the smallest
-// one negate lower bounds. What is left out leaves its bound, so that bound() holds of everything at any
-// time.
+// A priority queue of items, each with an upper bound of the values that may be found in it, for the largest
+// value; searches for the smallest value negate lower bounds. An item that is discarded leaves its bound
+// behind, so that bound() holds for all items at any time.
 template <class Item>
 class BestFirst {
 public:
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool empty() const noexcept { return entries_.empty(); }
     [[nodiscard]] size_t size() const noexcept { return entries_.size(); }
     [[nodiscard]] const Entry &best() const noexcept { return entries_.front(); }
-    // Of all that is left, and was left out.
+    // The upper bound over all items that are left or were discarded.
     [[nodiscard]] double bound() const noexcept {
         return entries_.empty() ? left_out_ : std::max(left_out_, entries_.front().bound);
     }
@@ -53,8 +53,8 @@ public:
     }
     void leave_out(double bound) noexcept { left_out_ = std::max(left_out_, bound); }
 
-    // Calls look(Entry) while there is something left that counts(const Entry &), at most `budget` times, of
-    // which look() may take more itself, and as long as the limit of work is not reached.
+    // Calls look(Entry) for the best item while counts(const Entry &) holds for it. At most `budget` calls
+    // are made, of which look() may use up further ones itself; none once the work limit is reached.
     template <class Counts, class Look>
     void run(int64_t &budget, Counts &&counts, Look &&look) {
         SearchSteps steps;

@@ -70,7 +70,7 @@ Rounding BezierNet::absolute() const noexcept {
     return {0, error() * frame_.scaled(net_.largest_record()), error() * net_.largest_weight()};
 }
 
-// |A - A*| <= error H w and |w - w*| <= error w, with H the size.
+// From |A - A*| <= error H w and |w - w*| <= error w, where H is the size.
 Rounding BezierNet::rounding(int64_t piece, double more) const noexcept {
     const double apart = 1.01 * (2 * error() + more) * frame_.scaled(size(piece));
     return positive() ? Rounding{apart, 0, 0} : absolute();

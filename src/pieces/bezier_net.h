@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The homogeneous Bezier coefficients of all pieces of a spline in a frame, with what rounding may have made
-// of them.
+// The homogeneous Bezier coefficients of all pieces of a spline in a frame, with bounds of their rounding
+// errors.
 #pragma once
 
 #include "pieces/bernstein_net.h"
@@ -8,30 +8,31 @@
 
 namespace nrb::pieces {
 
-// How far coefficients (A, w) may be from the exact ones (A*, w*), about the centre of the frame. Where all
-// weights are positive for certain, errors are relative to them: every point A / w is within `apart` of one
-// of the exact piece, and the other way round, whatever the weights. Otherwise |A - A*| <= record and |w -
-// w*| <= weight.
+// Bounds of the error of coefficients (A, w) against the exact ones (A*, w*), about the centre of the frame.
+// Where all weights are certainly positive, errors are relative to the weights: every point A / w is within
+// `apart` of a point of the exact piece, and vice versa, whatever the weights. Otherwise |A - A*| <= record
+// and |w - w*| <= weight.
 struct Rounding {
     double apart = 0;
     double record = 0;
     double weight = 0;
 
     [[nodiscard]] bool relative() const noexcept { return weight == 0; }
-    // Whether a weight is positive for certain, and not so small beside the largest one, which is near 1,
-    // that products with it underflow.
+    // Whether a weight is certainly positive, and not so small relative to the largest weight, which is near
+    // 1, that products with it underflow.
     [[nodiscard]] bool positive(double w) const noexcept { return w > 64 * weight && w >= 0x1p-900; }
-    // How far a point may be away, if all weights are at least `least` and all control points within `reach`.
+    // How far a point may have moved if all weights are at least `least` and all control points are within
+    // `reach` of the centre.
     [[nodiscard]] double moved(double reach, double least) const noexcept {
         return relative() ? apart : apart + 1.05 * (record + reach * weight) / least;
     }
 };
 
-// Further ends of pieces may be given along each axis, in the domain. Cost: linear in the number of pieces.
+// `more`: further breaks along each axis, in the domain. Cost: linear in the number of pieces.
 class BezierNet {
 public:
     BezierNet(const Spline &spline, Frame frame, const BernsteinNet::Breaks &more = {});
-    // In another unit of length.
+    // Changes the unit of length.
     void rescale(int exponent) noexcept { frame_.exponent = exponent; }
 
     [[nodiscard]] const Frame &frame() const noexcept { return frame_; }
@@ -40,19 +41,21 @@ public:
     [[nodiscard]] bool weighted() const noexcept { return net_.weighted(); }
     [[nodiscard]] bool positive() const noexcept { return net_.positive(); }
     [[nodiscard]] double error() const noexcept { return net_.error(); }
-    // Largest magnitudes |x - c| of control points, and of one that is active on a piece; not scaled.
+    // The magnitudes |x - c| of the control points, and the largest one among those active on a piece; not
+    // scaled.
     [[nodiscard]] const std::vector<double> &sizes() const noexcept { return records_.sizes; }
     [[nodiscard]] double size(int64_t piece) const noexcept { return net_.size(piece); }
-    // The control points as they enter a net, not scaled.
+    // The control points as they enter the net, not scaled.
     [[nodiscard]] const CentredRecords &records() const noexcept { return records_; }
-    // The ends of a piece along each axis of the spline.
+    // The parameter intervals of a piece along each axis of the spline.
     [[nodiscard]] std::array<Interval, max_axes> part(int64_t piece) const noexcept;
 
-    // Coefficient after coefficient (A, w), `stride` apart.
+    // Copies the coefficients (A, w) one after another, `stride` apart.
     void copy(int64_t piece, double *out, int64_t stride);
-    // Of the coefficients of a piece; `more` is relative to their size, of what is done with them besides.
+    // The rounding of the coefficients of a piece. `more` adds an error of later operations, relative to
+    // their size.
     [[nodiscard]] Rounding rounding(int64_t piece, double more = 0) const noexcept;
-    // The same of all pieces, with control points in a radius.
+    // The rounding of all pieces, whose control points lie within a radius.
     [[nodiscard]] Rounding rounding_of_all(double radius) const noexcept;
 
 private:

@@ -12,8 +12,8 @@ namespace nrb::pieces {
 
 namespace {
 
-// What the ends of an interval count for at a place inside. Each is within 3/2 eps of itself, near the other end as well,
-// where the difference from 1 would not be.
+// The weights of both ends of an interval in the convex combination that gives t. Each has a relative error
+// within 3/2 eps, also near the other end, where subtracting from 1 would lose accuracy.
 struct Shares {
     Shares(Interval ends, double t) noexcept
         : lower((ends.upper - t) / (ends.upper - ends.lower)),
@@ -22,7 +22,7 @@ struct Shares {
     double lower, upper;
 };
 
-// Of a step of de Casteljau's algorithm with such shares, for the coefficient and for its weight.
+// Error of one step of de Casteljau's algorithm with such shares, for the coefficient and for its weight.
 constexpr double error_of_cut = 5 * eps;
 
 } // namespace
@@ -86,12 +86,13 @@ void BezierPiece::update() {
     positive_ = positive_ && sound_;
 }
 
-// Whether the weights are positive, or 0 with the whole coefficient; positive_ is whether none is 0.
+// Returns whether each weight is positive, or 0 with the whole coefficient; sets positive_ to whether no
+// coefficient is 0.
 bool BezierPiece::set_points() noexcept {
     bool all = true;
     positive_ = true;
     least_weight_ = infinity;
-    double farthest = 0; // square of the distance
+    double farthest = 0; // squared distance
     for (int64_t i = 0; i < coefficients(); ++i) {
         const double *from = record(i), w = weight(i);
         const bool nothing = rounding_.relative() &&
@@ -113,7 +114,7 @@ bool BezierPiece::set_points() noexcept {
     return all && std::isfinite(least_weight_);
 }
 
-// Where squares may have lost something.
+// For squares that may have over- or underflowed.
 void BezierPiece::set_reach() noexcept {
     reach_ = 0;
     for (int64_t i = 0; i < coefficients(); ++i) {
@@ -143,7 +144,7 @@ void BezierPiece::set_box() noexcept {
     }
 }
 
-// The longest sum of distances between neighbours along an axis.
+// The longest control polygon along an axis: the sum of the distances between neighbours.
 double BezierPiece::legs(int axis) const noexcept {
     int64_t step = 1;
     for (int k = axes_; k-- > axis + 1;) {
@@ -163,8 +164,8 @@ double BezierPiece::legs(int axis) const noexcept {
     return longest;
 }
 
-// Of a step in which every coefficient becomes a mean of others, off by `relative` of the same mean of
-// magnitudes.
+// Accounts for a step that replaces every coefficient by a mean of others, with an error of `relative` times
+// the same mean of magnitudes.
 void BezierPiece::add_rounding(double relative) noexcept {
     if (rounding_.relative()) {
         rounding_.apart += 1.01 * relative * reach_;
@@ -184,7 +185,8 @@ double BezierPiece::middle(int axis) const noexcept {
     return lower / 2 + upper / 2;
 }
 
-// Each value is a mean of `degree` steps, off by degree eps / 2 of the same means of magnitudes.
+// Each value results from `degree` steps of means; its error is degree eps / 2 of the same means of
+// magnitudes.
 BezierPiece BezierPiece::halve(int axis) {
     count_work(coefficients() * degree(axis) * shape_.width / 2);
     add_rounding(degree(axis) * eps);
@@ -230,7 +232,7 @@ BezierPiece BezierPiece::between(Interval range) const {
     return result;
 }
 
-// A weight that is constant stays what it is.
+// A constant weight remains constant.
 void BezierPiece::keep_even_weights(const BezierPiece &whole) noexcept {
     const double w = whole.weight(0);
     for (int64_t i = 1; i < coefficients(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The largest value of a function over pieces that can be halved, enclosed by branch and bound.
+// Branch and bound: encloses the largest value of a function over pieces that can be subdivided.
 #pragma once
 
 #include "pieces/best_first.h"
@@ -22,23 +22,24 @@ struct Enclosure {
 
 // A Problem has a type Piece and
 //     Piece load(int64_t index)                   piece `index` of the source
-//     Enclosure bounds(const Piece &)             proven: of its largest value
+//     Enclosure bounds(const Piece &)             proven bounds of its largest value
 //     double noise(const Piece &)                 how far rounding keeps these bounds apart
-//     std::optional<Piece> split(Piece &)         gives one half and keeps the other, or neither
+//     std::optional<Piece> split(Piece &)         returns one half and keeps the other, or returns none
 //     void found(int64_t index, const Piece &)    the piece has the largest lower bound so far
 //     bool reached(double lower, double upper, double noise)
-// Pieces are loaded when it is their turn, so that only those are halved that may hold the largest value.
+// Pieces are loaded when they reach the top of the queue, so that only those are subdivided that may contain
+// the largest value.
 template <class Problem>
 class BranchAndBound {
 public:
     using Piece = typename Problem::Piece;
 
-    // Upper bounds of all pieces of the source, infinite where they are no numbers; `least` is a lower bound
-    // that needs no piece.
+    // uppers: upper bounds of all pieces of the source; NaN counts as infinite. least: a lower bound that
+    // holds without any piece.
     BranchAndBound(Problem &problem, std::span<const double> uppers, double least)
         : problem_(problem), queue_(unloaded(uppers)), lower_(least), least_(least) {}
 
-    // At most `steps` pieces are loaded or halved beyond the first look at each that matters.
+    // Encloses the value; loads or halves at most `steps` pieces.
     Enclosure run(int64_t steps) {
         bool halved = true;
         const auto counts = [&](const Entry &top) {
@@ -52,10 +53,10 @@ private:
     struct Candidate {
         double noise;
         int64_t index;
-        std::optional<Piece> piece; // none: that of the source, not looked at yet
+        std::optional<Piece> piece; // none: the piece of the source, not loaded yet
     };
     using Queue = BestFirst<Candidate>;
-    static constexpr int64_t work_of_an_entry = 64; // its memory
+    static constexpr int64_t work_of_an_entry = 64; // for its memory
     using Entry = typename Queue::Entry;
 
     static std::vector<Entry> unloaded(std::span<const double> uppers) {
@@ -69,7 +70,7 @@ private:
         return entries;
     }
 
-    // Looks at the piece with the largest upper bound, or halves it; false if it cannot be halved.
+    // Loads the piece with the largest upper bound, or halves it; false if it cannot be halved.
     bool refine(Entry top) {
         Candidate &whole = top.item;
         if (!whole.piece) {
@@ -84,8 +85,8 @@ private:
         return half.has_value();
     }
 
-    // A part has no larger values than the whole, and no other bound where its own is not a number. What
-    // cannot exceed the lower bound is not kept.
+    // A part has no larger values than the whole, whose bound is used where the part's own is NaN. Pieces
+    // that cannot exceed the lower bound are dropped.
     void push(Piece &&piece, const Entry &whole) {
         const Enclosure bounds = problem_.bounds(piece);
         if (bounds.lower > lower_) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Local minima and maxima of a squared distance in a box of parameters: Newton's method, damped by Levenberg
-// and Marquardt's rule where the second derivatives are not positive definite or a step does not descend,
-// with the gradient projected to the box.
+// Local minima and maxima of a squared distance in a box of parameters: Newton's method with the gradient
+// projected to the box, damped by the Levenberg-Marquardt rule where the second derivatives are not positive
+// definite or a step does not descend.
 #pragma once
 
 #include "base/numbers.h"
@@ -13,15 +13,15 @@
 
 namespace nrb::pieces {
 
-// |S|^2 of a vector S of up to N parameters, and the derivatives of |S|^2 / 2, which are the sum of metric
-// and curvature.
+// |S|^2 of a vector S of up to N parameters, and its derivatives: the Hessian of |S|^2 / 2 is the sum of
+// metric and curvature.
 template <size_t N>
 struct SquareJet {
     using Vector = std::array<double, N>;
     double square = 0;                 // |S|^2
-    Vector gradient{};                 // S S_k
-    std::array<Vector, N> metric{};    // S_k S_l
-    std::array<Vector, N> curvature{}; // S S_kl
+    Vector gradient{};                 // S . S_k
+    std::array<Vector, N> metric{};    // S_k . S_l
+    std::array<Vector, N> curvature{}; // S . S_kl
 };
 
 template <size_t N>
@@ -41,17 +41,17 @@ struct Descent {
     bool converged;
 };
 
-// `jet` makes the SquareJet of an array of parameters.
+// `jet` makes the SquareJet at an array of parameters.
 template <size_t N, class Jet>
 class DampedDescent {
 public:
     using Vector = std::array<double, N>;
 
-    // To where sign |S| has a minimum, sign = 1 or -1; a distance of `floor` counts as 0.
+    // Minimises sign |S|, sign = 1 or -1; a distance of at most `floor` counts as 0.
     DampedDescent(int n, const ParameterBox<N> &box, double sign, double floor, const Jet &jet) noexcept
         : n_(static_cast<size_t>(n)), box_(box), sign_(sign), floor_(floor), jet_(jet) {}
 
-    // From `at`, which becomes the minimum, in at most `steps`.
+    // Starts from `at`, which becomes the minimum, and makes at most `steps` steps.
     Descent run(Vector &at, int steps) {
         now_ = jet_(at);
         for (int i = 0; i < steps; ++i) {
@@ -66,7 +66,7 @@ private:
     [[nodiscard]] double distance() const noexcept { return std::sqrt(std::max(now_.square, 0.0)); }
     [[nodiscard]] bool at_floor() const noexcept { return sign_ > 0 && !(now_.square > floor_ * floor_); }
 
-    // The axes that do not lead out of the box; false if there are none.
+    // Finds the axes along which descent does not leave the box; false if there are none.
     bool set_free(const Vector &at) noexcept {
         free_count_ = 0;
         for (size_t k = 0; k < n_; ++k) {
@@ -92,7 +92,7 @@ private:
         return !(damping_ > 1e12);
     }
 
-    // The step on the free axes.
+    // Computes the step on the free axes; false if the damped Hessian is not positive definite.
     bool solve() noexcept {
         double trace = 0;
         for (size_t k = 0; k < n_; ++k) {
@@ -120,7 +120,7 @@ private:
         return true;
     }
 
-    // False if it is where it was.
+    // Clamps the step to the box; false if it does not move.
     bool set_next(const Vector &at) noexcept {
         next_ = at;
         decrease_ = 0;
@@ -133,8 +133,8 @@ private:
         return moves;
     }
 
-    // A last step is taken without looking where it decreases |S|^2 by less than rounding: Newton's method
-    // has squared the error by then.
+    // Where the expected decrease of |S|^2 is below rounding, the step is the last one and is taken even
+    // without a measurable gain: by then Newton's method has squared the error.
     bool descend(Vector &at) {
         const SquareJet<N> then = jet_(next_);
         const double gain = sign_ * (now_.square - then.square);
@@ -161,7 +161,7 @@ private:
     std::array<size_t, N> free_{};
     size_t free_count_ = 0;
     Vector move_{}, next_{};
-    double decrease_ = 0; // of |S|^2 / 2 that is expected
+    double decrease_ = 0; // expected decrease of |S|^2 / 2
 };
 
 } // namespace nrb::pieces

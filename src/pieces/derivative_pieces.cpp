@@ -15,7 +15,7 @@ namespace nrb::pieces {
 
 namespace {
 
-// A vector polynomial and its weight, or their derivatives; no weight: 1 or 0.
+// A vector polynomial and its weight, or derivatives of both; no weight: it is constant, 1 or 0.
 struct Jet1 {
     RoundedPolynomial points;
     std::optional<RoundedPolynomial> weight;
@@ -42,7 +42,7 @@ RoundedPolynomial determinant(const RoundedPolynomial &a, const RoundedPolynomia
     return dot(cross(a, b), c);
 }
 
-// w P x Q + q A x P - p A x Q, P, p and Q, q being derivatives of A, w.
+// w P x Q + q A x P - p A x Q, where P, p and Q, q are derivatives of A, w.
 RoundedPolynomial wedge(const Jet1 &a, const Jet1 &p, const Jet1 &q) {
     RoundedPolynomial first = cross(p.points, q.points);
     if (!a.weight) {
@@ -67,7 +67,7 @@ RoundedPolynomial with_sign(const HomogeneousPiece &piece, RoundedPolynomial num
     return piece.positive ? std::move(numerator) : numerator * piece.weight;
 }
 
-// (A, w) and (-A, -w) are the same piece.
+// (A, w) and (-A, -w) represent the same piece.
 void make_positive(HomogeneousPiece &piece) {
     const int sign = certain_sign(piece.weight);
     if (sign < 0) {
@@ -77,7 +77,8 @@ void make_positive(HomogeneousPiece &piece) {
     piece.positive = sign != 0;
 }
 
-// The heaviest control point where weights differ, so that it has no share in the rounding; else the middle.
+// The control point of largest weight where weights differ, so that it does not contribute to the rounding;
+// else the middle.
 std::vector<double> local_centre(const Spline &spline) {
     if (spline.form() != Form::rational) {
         return centre_of(spline);
@@ -89,8 +90,9 @@ std::vector<double> local_centre(const Spline &spline) {
     return {point.begin(), point.end()};
 }
 
-// What records and their combinations are accurate to in units of BernsteinNet::error(): of Cartesian points
-// the magnitudes themselves, as x - c is; of homogeneous ones those of A and of w c, which their sizes bound.
+// The magnitudes to which records and their combinations are accurate, in units of BernsteinNet::error(). For
+// Cartesian points they are the magnitudes of the values, since x - c is; for homogeneous points those of A
+// and of w c, which their sizes bound.
 CentredRecords magnitudes_of(const CentredRecords &records, Form form) {
     CentredRecords sizes = records;
     const auto width = static_cast<size_t>(records.width), dim = width - (records.weighted ? 1 : 0);
@@ -130,7 +132,7 @@ int64_t PieceMaker::count() const noexcept {
     return total;
 }
 
-// The control points that are active on a span, over the knots that belong to them.
+// The control points that are active on a span, over their knots.
 Spline PieceMaker::sub_spline(const std::array<int64_t, max_axes> &spans) const {
     Spline::Axes axes;
     std::array<int64_t, max_axes> first{}, counts{1, 1, 1}, sizes{1, 1, 1};

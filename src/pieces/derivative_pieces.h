@@ -7,29 +7,29 @@
 
 namespace nrb::pieces {
 
-// One piece of a spline in homogeneous coordinates A = w (x - c), w about a centre near it, so that rounding
-// is relative to the size of the piece, both in units of powers of two near the largest. In polynomial
-// splines, and where weights are equal, w is the constant 1.
+// One piece of a spline in homogeneous coordinates A = w (x - c), w about a nearby centre c, so that rounding
+// is relative to the size of the piece. Lengths and weights are in units of powers of two near the largest.
+// In polynomial splines, and where weights are equal, w is the constant 1.
 struct HomogeneousPiece {
     RoundedPolynomial points; // A
     RoundedPolynomial weight;
     int exponent = 0;             // of the unit of length
-    int weight_exponent = 0;      // of that of weights
-    bool positive = true;         // the weight, in the whole piece; otherwise its sign is not known
-    int first_axis = 0;           // of the three that the spline has
-    Part part{};                  // of the parameters, for the axes of the spline
+    int weight_exponent = 0;      // of the unit of weights
+    bool positive = true;         // the weight is positive in the whole piece; false: its sign is unknown
+    int first_axis = 0;           // the first of the three axes that the spline has
+    Part part{};                  // the parameter intervals, for the axes of the spline
     std::vector<double> centre{}; // c
 
-    // Place on an axis of the three that belongs to axis k of the spline.
+    // Index among the three axes of axis k of the spline.
     [[nodiscard]] int axis(int k) const noexcept { return first_axis + k; }
     [[nodiscard]] double parameter(int k, double place) const noexcept;
 };
 
-// The pieces of a part of a spline, made when they are asked for; last axis fastest.
+// The pieces of a part of a spline, computed on request; last axis fastest.
 class PieceMaker {
 public:
     PieceMaker(const Spline &spline, const Part &part);
-    // About a centre that they all have.
+    // With one centre for all pieces.
     PieceMaker(const Spline &spline, const Part &part, std::vector<double> centre);
 
     [[nodiscard]] int64_t count() const noexcept;
@@ -46,21 +46,21 @@ private:
 
     const Spline &spline_;
     bool weighted_;
-    std::vector<double> centre_; // none: each has its own
+    std::vector<double> centre_; // empty: each piece has its own
     BernsteinNet::Breaks breaks_;
 };
 
-// With A, w of a piece, derivatives with respect to places on it; each vanishes where its numerator does, and
-// has its direction: where the sign of w is not known, odd powers of w get one more factor. C' = D / w^2
-// along axis k of the spline: D = A' w - A w'.
+// Numerators of derivatives with respect to the local parameters of a piece with coefficients A, w. Each
+// vanishes where the derivative does, and has its direction: where the sign of w is unknown, odd powers of w
+// are multiplied by w once more. Along axis k of the spline C' = D / w^2 with D = A' w - A w'.
 RoundedPolynomial tangent_numerator(const HomogeneousPiece &piece, int k);
-// S_u x S_v = N / w^3: N = w A_u x A_v + w_v A x A_u - w_u A x A_v; a scalar in dimension 2.
+// S_u x S_v = N / w^3 with N = w A_u x A_v + w_v A x A_u - w_u A x A_v; a scalar in dimension 2.
 RoundedPolynomial normal_numerator(const HomogeneousPiece &piece);
-// det(V_u, V_v, V_w) = J / w^4 of a volume in space.
+// det(V_u, V_v, V_w) = J / w^4 for a volume in space.
 RoundedPolynomial volume_numerator(const HomogeneousPiece &piece);
-// C' x C'' = M / w^3 of a curve: M = w A' x A'' + w'' A x A' - w' A x A''; a scalar in dimension 2.
+// C' x C'' = M / w^3 for a curve, with M = w A' x A'' + w'' A x A' - w' A x A''; a scalar in dimension 2.
 RoundedPolynomial bend_numerator(const HomogeneousPiece &piece);
-// det(C', C'', C''') = T / w^4 of a curve in space.
+// det(C', C'', C''') = T / w^4 for a curve in space.
 RoundedPolynomial twist_numerator(const HomogeneousPiece &piece);
 
 } // namespace nrb::pieces

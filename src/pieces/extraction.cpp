@@ -11,7 +11,7 @@ namespace nrb::pieces {
 
 namespace {
 
-// The knots of all layers that are active in a part of the domain.
+// The knots of all layers that are active on a part of the domain.
 std::span<const double> active_knots(const KnotVector &axis, double lower, double upper) {
     const std::span<const double> knots = axis.knots();
     const auto order = axis.degree() + 1;

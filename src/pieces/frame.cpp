@@ -9,7 +9,7 @@ namespace nrb::pieces {
 
 namespace {
 
-// Of coordinate c; lower > upper where there is none.
+// The range of coordinate c; lower > upper if there are no points.
 Interval range_of(std::span<const Spline *const> splines, int c) {
     Interval range{infinity, -infinity};
     for (const Spline *given : splines) {
@@ -24,7 +24,7 @@ Interval range_of(std::span<const Spline *const> splines, int c) {
     return range;
 }
 
-// Half the length, which does not overflow; all of it where the half underflows.
+// Half the length, which cannot overflow; the whole length where half of it would underflow.
 double extent_of(const Interval &range) noexcept {
     const double half = range.upper / 2 - range.lower / 2;
     return half < 0x1p-1000 ? range.upper - range.lower : half;

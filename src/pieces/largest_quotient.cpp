@@ -13,9 +13,9 @@ namespace nrb::pieces {
 
 namespace {
 
-constexpr int64_t work_of_a_value = 16; // of a piece that is bounded and kept
+constexpr int64_t work_of_a_value = 16; // for bounding and storing the piece
 
-// The denominators with one sign, and what they are at least and at most.
+// The denominators with their sign made positive, and the bounds of their exact values.
 class Denominators {
 public:
     explicit Denominators(const QuotientPiece &piece)
@@ -64,7 +64,7 @@ double upper_bound(const QuotientPiece &piece) noexcept {
     return std::isnan(upper) ? infinity : upper;
 }
 
-// Index of a corner, whose bit k tells the end of axis k.
+// Index of the coefficient at a corner; bit k selects the end of axis k.
 int64_t corner_index(const BernsteinShape &shape, int corner) noexcept {
     int64_t i = 0;
     for (int k = 0; k < max_axes; ++k) {
@@ -99,8 +99,9 @@ int next_axis(const QuotientPiece &piece) noexcept {
     return -1;
 }
 
-// The largest quotient of coefficients, which no mean of numerators exceeds relative to that of the
-// denominators: those have one sign, and where one is 0 so is the numerator. Infinite where that is not so.
+// The largest quotient of coefficients. It bounds the ratio of any mean of numerators to the same mean of
+// denominators if these have one sign, and the numerator is 0 wherever the denominator is. Infinite
+// otherwise.
 double ratio_bound(const QuotientPiece &piece) noexcept {
     const Denominators denominators(piece);
     double largest = 0;
@@ -114,7 +115,7 @@ double ratio_bound(const QuotientPiece &piece) noexcept {
     return largest;
 }
 
-// What the means of a subdivision add.
+// Adds the rounding of the means of one subdivision.
 void add_rounding(QuotientPiece &piece, int degree) {
     const double error = eps * degree, ratio = ratio_bound(piece);
     if (std::isfinite(ratio)) {
@@ -126,7 +127,7 @@ void add_rounding(QuotientPiece &piece, int degree) {
     piece.denominator_error += error * largest_magnitude(piece.denominators);
 }
 
-// |N| / W.
+// Branch and bound for |N| / W.
 class LengthProblem {
 public:
     using Piece = QuotientPiece;
@@ -155,7 +156,7 @@ private:
     double ratio_;
 };
 
-// N / W, N having one component.
+// Branch and bound for N / W, where N has one component.
 class ValueProblem {
 public:
     using Piece = QuotientPiece;
@@ -202,8 +203,8 @@ private:
     LargestValue best_{{-infinity, infinity}, -1, {}};
 };
 
-// The mediant inequality. Where W* is between `least` and `most` and N* at most n, N* / W* is at most n
-// divided by the one or the other. A coefficient that is 0 without rounding, weight and all, adds nothing.
+// By the mediant inequality. If W* lies between `least` and `most`, and N* is at most n, then N* / W* is at
+// most n divided by one or the other. A coefficient that is exactly 0, with its weight, contributes nothing.
 double ValueProblem::upper(const Piece &piece) noexcept {
     const Denominators denominators(piece);
     const double error = piece.quotient_error * (1 + 2 * piece.denominator_factor);
@@ -242,8 +243,8 @@ ValueProblem::Corner ValueProblem::best_corner(const Piece &piece) noexcept {
     return best;
 }
 
-// Along the axis on which the coefficients are farthest from those of a function linear in it, for which
-// bounds are attained at corners. Parts of 2^-40 are not halved any more.
+// The axis along which the coefficients deviate most from a linear function, for which the bounds are
+// attained at corners. Parts of 2^-40 are not subdivided any further.
 int ValueProblem::most_curved_axis(const Piece &piece) noexcept {
     const double slope = ratio_bound(piece);
     const auto second = [](const std::vector<double> &x, size_t i, size_t step) {
@@ -309,11 +310,11 @@ std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
     std::vector<double> uppers;
     uppers.reserve(static_cast<size_t>(count));
     QuotientPiece piece;
-    bool bounded = true; // one that is not is enough
+    bool bounded = true; // one unbounded piece makes the result infinite
     for (int64_t i = 0; i < count; ++i) {
         source(i, piece);
         double upper = upper_bound(piece);
-        if (bounded && std::isinf(upper)) { // which a coefficient of 0 may not do to its halves
+        if (bounded && std::isinf(upper)) { // a zero coefficient may not make its halves unbounded
             const PieceSource itself = [&piece](int64_t, QuotientPiece &out) { out = piece; };
             upper = largest_quotient({&upper, 1}, itself, few).upper;
             bounded = std::isfinite(upper);
@@ -324,7 +325,7 @@ std::vector<double> quotient_uppers(int64_t count, const PieceSource &source) {
 }
 
 LargestValue largest_value(int64_t count, const PieceSource &source, double gap, int steps) {
-    constexpr int64_t room = int64_t{1} << 26; // doubles
+    constexpr int64_t room = int64_t{1} << 26; // in doubles
     ValueProblem problem(source, gap);
     std::vector<double> uppers;
     uppers.reserve(static_cast<size_t>(count));

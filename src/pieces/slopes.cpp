@@ -13,7 +13,7 @@ namespace nrb::pieces {
 
 namespace {
 
-// Bernstein coefficients times their binomials, so that products are convolutions.
+// Scaled Bernstein coefficients: multiplied by their binomials, so that products are convolutions.
 struct Scaled {
     BernsteinShape shape;
     std::vector<double> values;
@@ -40,7 +40,7 @@ Scaled components(const BezierPiece &piece, int first, int width) {
     return result;
 }
 
-// (n choose i) a_i of degree n to the same of its derivative: n (n - 1 choose i) (a_(i + 1) - a_i).
+// From (n choose i) a_i of degree n to the same for the derivative: n (n - 1 choose i) (a_(i+1) - a_i).
 Scaled derivative(const Scaled &a, int axis) {
     Scaled result{a.shape, {}};
     const int n = a.shape.degrees[static_cast<size_t>(axis)];
@@ -93,8 +93,9 @@ Slopes::Slopes(const BezierPiece &piece, int axis) : dim_(static_cast<size_t>(pi
     for (size_t i = 0; i < count(); ++i) {
         largest_ = std::max(largest_, dot(vector(i), vector(i), piece.dim()));
     }
-    largest_ = std::sqrt(largest_) + 0x1p-500; // squares may have vanished
-    // Coefficients are off by what points are; differences of p of them, in quotients of squares of weights.
+    largest_ = std::sqrt(largest_) + 0x1p-500; // squares may have underflowed
+    // Coefficients have the errors of the points; the derivative takes differences of p of them, in quotients
+    // by squares of weights.
     const double ratio = most / least;
     int degrees = 0;
     for (int k = 0; k < piece.axes(); ++k) {
@@ -136,7 +137,7 @@ void Slopes::set_rational(const BezierPiece &piece, int axis) {
                  second = product(a, derivative(w, k));
     const AxisLayers from = first.shape.along(k), to = square.shape.along(k);
     vectors_.resize(square.values.size() * dim_);
-    for (size_t j = 0; j < vectors_.size(); ++j) { // of degree 2 p - 1, raised by one
+    for (size_t j = 0; j < vectors_.size(); ++j) { // of degree 2 p - 1, elevated by one
         const auto coefficient = static_cast<int64_t>(j / dim_),
                    o = coefficient / (to.inner * (to.degree + 1)),
                    i = coefficient / to.inner % (to.degree + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors in whose convex hull the derivative of a piece lies.
+// Vectors whose convex hull contains the derivative of a piece.
 #pragma once
 
 #include "pieces/bezier_piece.h"
@@ -8,8 +8,8 @@
 
 namespace nrb::pieces {
 
-// Of a Bezier piece, with respect to places along one of its axes: the control points of its hodograph, those of a
-// rational one as quotients of the coefficients of A' w - A w' and w^2.
+// For a Bezier piece, with respect to local parameters along one of its axes: the control points of its
+// hodograph. For a rational piece these are the quotients of the coefficients of A' w - A w' and w^2.
 class Slopes {
 public:
     Slopes() = default;
@@ -19,11 +19,11 @@ public:
     [[nodiscard]] size_t count() const noexcept { return vectors_.size() / dim_ - 1; }
     [[nodiscard]] const double *vector(size_t i) const noexcept { return vectors_.data() + i * dim_; }
     [[nodiscard]] const double *mean() const noexcept { return vector(count()); }
-    // The length of the longest one.
+    // The length of the longest vector.
     [[nodiscard]] double largest() const noexcept { return largest_; }
-    // How far the derivative of the exact piece may be from the hull.
+    // How far the derivative of the exact piece may be from the convex hull.
     [[nodiscard]] double error() const noexcept { return error_; }
-    // Between which numbers the products of the derivative with a unit vector lie.
+    // Bounds of the dot products of the derivative with a unit vector.
     [[nodiscard]] Interval along(const double *direction) const noexcept;
 
 private:
@@ -31,12 +31,12 @@ private:
     void set_rational(const BezierPiece &piece, int axis);
 
     size_t dim_ = 1;
-    std::vector<double> vectors_; // the mean is the last one
-    double largest_ = 0;          // length of one
+    std::vector<double> vectors_; // the mean comes last
+    double largest_ = 0;          // length of the longest vector
     double error_ = 0;
 };
 
-// A piece of a curve whose weights are positive.
+// A piece of a curve with positive weights.
 struct SlopedPiece {
     const BezierPiece *piece;
     const Slopes *slopes;

@@ -57,8 +57,8 @@ std::array<double, max_axes> SplinePieces::parameter(int64_t piece,
     return result;
 }
 
-// |A - A*| <= error H w and |w - w*| <= error w where weights are positive, so that a quotient of A is within
-// error H before the error of w counts; otherwise the same with the largest ones.
+// Where weights are positive, |A - A*| <= error H w and |w - w*| <= error w, so that quotients of A have an
+// error within error H, before that of w is counted; otherwise the same holds with the largest values.
 void SplinePieces::begin(int64_t piece, int rows, double norm, double rounding, QuotientPiece &out) const {
     out = QuotientPiece{};
     out.shape = net_.shape();

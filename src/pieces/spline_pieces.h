@@ -8,10 +8,10 @@
 
 namespace nrb::pieces {
 
-// Ends of the pieces of an axis in an interval of its domain: its knots inside, and the ends.
+// The breaks of an axis in an interval of its domain: the knots inside, and both ends.
 std::vector<double> breaks_in(const KnotVector &axis, Interval part);
 
-// The pieces about the middle of the control points, x - c.
+// The pieces x - c about the middle c of the control points.
 class SplinePieces {
 public:
     SplinePieces(const Spline &spline, const Part &part);
@@ -20,16 +20,17 @@ public:
 
     [[nodiscard]] int64_t count() const noexcept { return net_.pieces(); }
     [[nodiscard]] const std::vector<double> &centre() const noexcept { return centre_; }
-    // The parameter at places between 0 and 1 of a piece on each of the last axes of the three; the ends of
-    // pieces bit for bit.
+    // The parameter at local parameters in [0, 1] of a piece, given for the last of the three axes; exact at
+    // the ends of pieces.
     [[nodiscard]] std::array<double, max_axes> parameter(int64_t piece,
                                                          const std::array<double, max_axes> &place) const;
 
     // sign * coordinate of x - c, as a quotient.
     void fill(int64_t piece, int coordinate, double sign, QuotientPiece &out) const;
-    // direction . (x - c).
+    // direction . (x - c), as a quotient.
     void fill(int64_t piece, const double *direction, QuotientPiece &out) const;
-    // M (x - c) for a matrix of `rows` rows. Its rows are at most `norm` long, and its value too.
+    // M (x - c) for a matrix M of `rows` rows. `norm` bounds the length of its rows, and the operator norm of
+    // M.
     void fill(int64_t piece, const double *matrix, int rows, double norm, QuotientPiece &out) const;
 
 private:
@@ -39,7 +40,7 @@ private:
     std::vector<double> centre_;
     BernsteinNet::Breaks breaks_;
     BernsteinNet net_;
-    mutable std::vector<double> coordinates_; // of the present piece
+    mutable std::vector<double> coordinates_; // of the current piece
 };
 
 } // namespace nrb::pieces

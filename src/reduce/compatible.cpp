@@ -24,7 +24,7 @@ namespace nrb::reduce {
 
 namespace {
 
-// Orders axes by their contents.
+// Orders axes by their contents, first by degree.
 struct AxisLess {
     bool operator()(const KnotVectorPtr &a, const KnotVectorPtr &b) const noexcept {
         if (a == b) {
@@ -38,7 +38,7 @@ struct AxisLess {
     }
 };
 
-// The distinct axes among those along one direction, each with the splines that have it.
+// The distinct axes along one direction, each with the splines that have it.
 using Groups = std::map<KnotVectorPtr, std::vector<size_t>, AxisLess>;
 
 class Set {
@@ -57,7 +57,7 @@ public:
         }
         return groups;
     }
-    // Applies one table to all splines that have an axis.
+    // Applies one table to all splines that share an axis.
     void apply(int k, const std::vector<size_t> &members, const refine::AxisTable &made) {
         for (const size_t i : members) {
             splines_[i] = refine::with_axis(*splines_[i], k, made);
@@ -78,8 +78,8 @@ void check_axis_counts(std::span<const SplinePtr> splines) {
     }
 }
 
-// Maps domains to the first one: all of them, or those whose ends are within a part `tolerance` of its
-// length. Returns how far points at a parameter may have moved in the latter case.
+// Maps the domains to that of the first spline: all of them, or only those whose ends are within `tolerance`
+// times its length. Returns how far the point at a parameter may have moved in the latter case.
 double unify_domain(Set &set, int k, bool any, double tolerance) {
     const auto [lower, upper] = set.splines()[0]->axis(k).domain();
     const double width = tolerance * (upper - lower);
@@ -104,7 +104,7 @@ double unify_domain(Set &set, int k, bool any, double tolerance) {
     return largest;
 }
 
-// Makes all axes plain, unless all of them are periodic.
+// Makes all axes non-periodic, unless all of them are periodic.
 void unify_periodicity(Set &set, int k) {
     const auto periodic = [k](const SplinePtr &spline) { return spline->axis(k).periodic(); };
     std::vector<SplinePtr> &splines = set.splines();
@@ -125,7 +125,7 @@ void unify_degree(Set &set, int k) {
     }
 }
 
-// Replaces knots outside the domain by clamped ends if they differ.
+// Clamps an end at which the knots outside the domain differ.
 void unify_ends(Set &set, int k) {
     const Groups groups = set.groups(k);
     const std::span<const double> first = groups.begin()->first->knots();
@@ -141,7 +141,7 @@ void unify_ends(Set &set, int k) {
     }
 }
 
-// The rows and knots of a periodic axis from layer `shift` on.
+// The rows of a periodic axis, from layer `shift` on.
 LayerTable rotated(const LayerTable &table, int64_t shift, int64_t period) {
     LayerTable result;
     result.reserve(table.rows());
@@ -156,15 +156,15 @@ LayerTable rotated(const LayerTable &table, int64_t shift, int64_t period) {
     return result;
 }
 
-// How many copies of the lower end stand after the copy that begins the domain.
+// The number of copies of the lower end after the copy that starts the domain.
 int64_t copies_after(const KnotVector &axis) {
     const auto knots = axis.knots();
     return std::upper_bound(knots.begin(), knots.end(), axis.domain().lower) - knots.begin() - 1 -
            axis.degree();
 }
 
-// A periodic axis from one period of its knots: those after its lower end, which stands at index degree, up
-// to the copies of that end at the upper end.
+// A periodic axis from one period of its knots: those above its lower end, which is placed at index degree,
+// up to the copies of that end at the upper end.
 KnotVectorPtr periodic_axis(int degree, Interval domain, std::span<const double> period, int k) {
     const auto p = static_cast<size_t>(degree);
     std::vector<double> knots(period.size() + 2 * p + 1, domain.upper);
@@ -175,7 +175,7 @@ KnotVectorPtr periodic_axis(int degree, Interval domain, std::span<const double>
     return make_knot_vector(degree, std::move(knots), true, k);
 }
 
-// The knots of [lower, upper).
+// The knots in [lower, upper).
 std::span<const double> one_period(const KnotVector &axis) {
     const auto [lower, upper] = axis.domain();
     const auto knots = axis.knots();
@@ -183,7 +183,7 @@ std::span<const double> one_period(const KnotVector &axis) {
     return {first, std::lower_bound(first, knots.end(), upper)};
 }
 
-// The knots of all groups in clusters: those inside the domain, and its ends.
+// The clusters of the knots of all groups: those inside the domain, and its ends.
 KnotClusters clusters_of(const Groups &groups, double tolerance) {
     std::map<double, int64_t> pool;
     const Interval domain = groups.begin()->first->domain();
@@ -192,7 +192,7 @@ KnotClusters clusters_of(const Groups &groups, double tolerance) {
             pool[knot] += std::ssize(members);
         }
     }
-    constexpr int64_t most = std::numeric_limits<int>::max(); // so that no list of splines overflows
+    constexpr int64_t most = std::numeric_limits<int>::max(); // so that the int below does not overflow
     std::vector<KnotGroup> knots;
     knots.reserve(pool.size());
     for (const auto &[knot, times] : pool) {
@@ -201,7 +201,7 @@ KnotClusters clusters_of(const Groups &groups, double tolerance) {
     return {knots, domain, tolerance * (domain.upper - domain.lower)};
 }
 
-// Moves near-equal knots of different splines together. Returns the splines that changed.
+// Merges nearly equal knots of different splines; marks the splines that changed in `moved`.
 void unify_values(Set &set, int k, double tolerance, std::vector<char> &moved) {
     if (tolerance == 0) {
         return;
@@ -231,7 +231,7 @@ std::vector<double> united(const Groups &groups,
         const std::span<const double> knots = part(*axis);
         lists.emplace_back(knots.begin(), knots.end());
     }
-    while (lists.size() > 1) { // neighbours in pairs, so that no knot is copied more than log2(groups) times
+    while (lists.size() > 1) { // in pairs, so that each knot is copied at most log2(groups) times
         for (size_t i = 0; i < lists.size(); i += 2) {
             std::vector<double> both;
             if (i + 1 < lists.size()) {
@@ -264,8 +264,8 @@ void unify_plain_knots(Set &set, int k) {
     }
 }
 
-// As for plain axes, but the seam of all axes has to stand at the same one of its copies. Knots outside the
-// domain may differ by rounding, whose effect is then bounded.
+// As for non-periodic axes, but the same copy of the seam must start the domain on all axes. Knots outside
+// the domain may differ by rounding; the effect of that is bounded and returned.
 double unify_periodic_knots(Set &set, int k) {
     const Groups groups = set.groups(k);
     const KnotVector &first = *groups.begin()->first;

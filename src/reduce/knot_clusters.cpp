@@ -11,10 +11,10 @@
 namespace nrb::reduce {
 
 KnotClusters::KnotClusters(std::span<const KnotGroup> knots, Interval domain, double width) {
-    // A part of a subnormal length may be rounded to the whole length.
+    // A fraction of a subnormal length may round up to the whole length.
     width = std::min(width, std::nextafter(domain.upper - domain.lower, 0.0));
     int most = 0;
-    bool open = false; // whether the last cluster takes more knots
+    bool open = false; // whether the last cluster can take more knots
     for (const auto &[knot, multiplicity] : knots) {
         if (std::abs(knot - domain.lower) <= width || std::abs(knot - domain.upper) <= width) {
             const bool lower = std::abs(knot - domain.lower) <= width;
@@ -56,7 +56,7 @@ void check_multiplicities(int degree, std::span<const double> knots, int k, cons
     }
 }
 
-// The knots of a plain axis and which of the old layers they have.
+// The knots of a non-periodic axis, and which of the old layers belong to them.
 struct Kept {
     std::vector<double> knots;
     std::vector<int64_t> layers;

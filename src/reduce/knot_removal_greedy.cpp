@@ -32,8 +32,7 @@ GreedyKnotRemoval::GreedyKnotRemoval(const Spline &spline, int axis, bool forgiv
     trial_.resize(static_cast<size_t>(length_) * (max_basis + 2));
 }
 
-// On a periodic axis the ring of one period, which begins with the first copy of the seam; that copy is never
-// removed.
+// On a periodic axis, the ring of one period begins with the first copy of the seam, which is never removed.
 void GreedyKnotRemoval::link_knots() {
     const auto [lower, upper] = axis_.domain();
     const int64_t seam =
@@ -60,7 +59,7 @@ void GreedyKnotRemoval::link_layers() {
     }
 }
 
-// The layers of every other axis in turn, the last one fastest.
+// Visits the layers of all other axes, the last axis fastest.
 void GreedyKnotRemoval::note_inert_places() {
     std::vector<char> inert{0};
     for (int k = 0; k < spline_.axes(); ++k) {
@@ -91,7 +90,7 @@ bool GreedyKnotRemoval::removable(int64_t knot) const noexcept {
     return at.present && at.movable && last_copy(knot);
 }
 
-// Leaves the window and the gap to a removal.
+// Leaves the window and the gap for a removal.
 double GreedyKnotRemoval::key_of(int64_t knot, Window &window) {
     count_work(4 * length_ * (degree_ + 2));
     return locate(knot, window) ? cost(window) : infinity;
@@ -144,8 +143,9 @@ void GreedyKnotRemoval::queue_all() {
     }
 }
 
-// One after the other those that cost no more than rounding, such as knots that were inserted: each is looked at about once. What
-// carries shape has to wait, since the order of its removals matters.
+// Removes one after the other the knots whose removal costs no more than rounding, such as knots that were
+// inserted; each is examined about once. Knots that carry shape have to wait, since the order of their
+// removals matters.
 int64_t GreedyKnotRemoval::remove_free(double tolerance) {
     const double most = tolerance / 0x1p20;
     int64_t removed = 0;
@@ -161,7 +161,7 @@ int64_t GreedyKnotRemoval::remove_free(double tolerance) {
                    remove(knot, window, tolerance);
             removed += gone ? 1 : 0;
         }
-        // The copy before it is the last one now.
+        // The previous copy is the last one now.
         knot = gone && previous != head_ && knots_[static_cast<size_t>(previous)].value == at.value ? previous
                                                                                                     : at.next;
     }
@@ -169,7 +169,7 @@ int64_t GreedyKnotRemoval::remove_free(double tolerance) {
 }
 
 int64_t GreedyKnotRemoval::run(double tolerance) {
-    constexpr double rise = 64; // so that the order is about that of one heap
+    constexpr double rise = 64; // small enough that the order is about that of a single heap
     int64_t removed = remove_free(tolerance);
     queue_all();
     double dearest = tolerance / 0x1p42;
@@ -186,7 +186,7 @@ int64_t GreedyKnotRemoval::run(double tolerance) {
     return removed;
 }
 
-// Those that cost no more than `dearest`.
+// Removes the knots whose cost is at most `dearest`.
 int64_t GreedyKnotRemoval::run(std::vector<Candidate> &heap, double dearest, double tolerance) {
     int64_t removed = 0;
     SearchSteps steps;
@@ -218,7 +218,7 @@ int64_t GreedyKnotRemoval::run(std::vector<Candidate> &heap, double dearest, dou
     return removed;
 }
 
-// Spans from the first affected one to the last.
+// Visits the spans from the first affected one to the last.
 template <class Body>
 void GreedyKnotRemoval::for_each_span(const Window &window, Body &&body) {
     int64_t knot = window.first_knot;
@@ -229,7 +229,7 @@ void GreedyKnotRemoval::for_each_span(const Window &window, Body &&body) {
     }
 }
 
-// The gap of the window is known.
+// Precondition: gap_ holds the gap of the window.
 bool GreedyKnotRemoval::remove(int64_t knot, const Window &window, double tolerance) {
     const double step = knots_[static_cast<size_t>(knot)].key;
     double before = 0;
@@ -245,8 +245,8 @@ bool GreedyKnotRemoval::remove(int64_t knot, const Window &window, double tolera
     return true;
 }
 
-// The support of a layer begins at its knot. When the knot at the end of the window and a layer inside it are
-// removed, the knots between belong to the next layers.
+// The support of a layer begins at its knot. Removing the knot at the end of the window and a layer inside it
+// shifts the knots between them to the next layers.
 void GreedyKnotRemoval::unlink(int64_t knot, const Window &window) noexcept {
     const bool jump = window.multiplicity > degree_;
     const int skipped = jump ? 0 : window.step.skipped;

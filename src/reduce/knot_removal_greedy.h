@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Greedy knot removal along an axis: always the knot whose removal moves the spline least (T. Lyche, K.
-// Morken, "A data-reduction strategy for splines", IMA J. Numer. Anal. 8 (1988); Piegl & Tiller A9.8).
+// Greedy knot removal along an axis: always removes the knot whose removal moves the spline least (T. Lyche,
+// K. Morken, "A data-reduction strategy for splines", IMA J. Numer. Anal. 8 (1988); Piegl & Tiller A9.8).
 #pragma once
 
 #include "reduce/removal_step.h"
@@ -11,23 +11,25 @@
 namespace nrb::reduce {
 
 // Knots and layers are linked lists, or rings on a periodic axis, so that a removal costs O(degree^2) for
-// each control point of a layer, whatever their number. For each span it is known how far the spline may have
-// moved there: a removal moves it by at most the gap of its step, and the moves add up. If weights move too,
-// the gap is counted in Cartesian space about the points of the window. This is an estimate; certify the
-// result.
+// each control point of a layer, whatever their number. Each span has an error: how far the spline may have
+// moved there. A removal moves it by at most the gap of its step (see removal_step.h), and the moves add up.
+// If weights change, too, the gap is estimated in Cartesian space about the points of the window. This is
+// only an estimate; the result must be certified.
 class GreedyKnotRemoval {
 public:
-    // Gaps of rational splines that may be no more than the rounding of their control points can count as 0.
+    // With forgive_rounding, gaps of rational splines that may be no more than the rounding of their control
+    // points count as 0.
     GreedyKnotRemoval(const Spline &spline, int axis, bool forgive_rounding);
 
-    // Removes knots as long as the errors of their spans stay within the tolerance; returns how many. Ends of the domain stay.
-    // Knots that cost no more than rounding go first, in the order of the axis. Of very many knots those of one part of the
-    // axis go before those of the next: all that a removal depends on is near, and stays in the cache.
+    // Removes knots as long as the errors of their spans stay within the tolerance; returns how many. Ends of
+    // the domain stay. Knots whose removal costs no more than rounding go first, in the order of the axis. If
+    // there are very many knots, they are processed in consecutive parts of the axis: all that a removal
+    // depends on is then near, and stays in the cache.
     int64_t run(double tolerance);
-    // Replaces the errors that were added up by measured ones: errors[i] belongs to [breaks[i], breaks[i +
-    // 1]), where breaks are knots of the given spline over its domain.
+    // Replaces the accumulated errors by measured ones: errors[i] belongs to [breaks[i], breaks[i + 1]),
+    // where breaks are knots of the given spline over its domain.
     void set_errors(std::span<const double> breaks, const std::vector<double> &errors);
-    // What remains. Layers that were not touched keep their bits.
+    // The remaining spline. Layers that were not touched are unchanged bit for bit.
     [[nodiscard]] SplinePtr result() const;
 
 private:
@@ -40,7 +42,7 @@ private:
         double key;    // the cost of its removal
         bool present;
         bool movable;
-        bool stale; // the key is of an earlier state
+        bool stale; // the key belongs to an earlier state
     };
     struct Layer {
         int64_t next;
@@ -48,13 +50,13 @@ private:
         bool changed;
         bool present;
     };
-    // The knots and layers around the last copy of a knot that a removal needs.
+    // The knots and layers around the last copy of a knot that its removal needs.
     struct Window {
         int multiplicity;
-        int size;  // layers
-        int after; // knots from the first affected span to the last copy
+        int size;  // number of layers
+        int after; // number of knots from the first affected span to the last copy
         int ahead;
-        double knots[3 * max_basis]; // last[-degree] on
+        double knots[3 * max_basis]; // from last[-degree] on
         const double *last;
         int64_t first_knot;
         int64_t layers[max_basis + 2];
@@ -67,7 +69,7 @@ private:
         int64_t knot;
         [[nodiscard]] bool operator<(const Candidate &other) const noexcept {
             return key > other.key ||
-                   (key == other.key && knot > other.knot); // for a heap with the least on top
+                   (key == other.key && knot > other.knot); // for a heap with the smallest key on top
         }
     };
 
@@ -76,9 +78,9 @@ private:
     void note_inert_places();
     [[nodiscard]] bool last_copy(int64_t knot) const noexcept;
     [[nodiscard]] bool removable(int64_t knot) const noexcept;
-    // False if the window meets itself.
+    // False if the window overlaps itself.
     bool locate(int64_t knot, Window &window) noexcept;
-    // The parts of locate(), in this order.
+    // The steps of locate(), in this order.
     int64_t collect_knots_before(int64_t knot, Window &window) const noexcept;
     void collect_knots_after(int64_t knot, Window &window) const noexcept;
     void collect_layers(int64_t first, Window &window) noexcept;
@@ -106,20 +108,21 @@ private:
     int axis_index_;
     const KnotVector &axis_;
     int degree_;
-    int width_;      // of a record
-    int64_t length_; // of a layer
+    int width_;      // doubles in a record
+    int64_t length_; // doubles in a layer
     bool forgive_rounding_;
-    double period_; // 0: none
+    double period_; // 0: not periodic
     int64_t head_ = 0;
     int64_t layers_left_;
     std::vector<Knot> knots_;
     std::vector<Layer> layers_;
     std::vector<double> points_; // layer by layer
-    // The places of a layer whose functions of the other axes vanish on the domain; empty if there are none.
+    // The places of a layer whose functions along the other axes vanish on the domain; empty if there are
+    // none.
     std::vector<char> inert_;
     std::vector<double> gap_;
-    std::vector<double> trial_; // layers of a window, solved before they are known to be wanted
-    // Of knots that follow each other, many in each, and the first knot of each but the first.
+    std::vector<double> trial_; // layers of a window, solved before they are accepted
+    // Heaps of consecutive knots, and the first knot of each heap but the first.
     std::vector<std::vector<Candidate>> heaps_;
     std::vector<int64_t> heap_starts_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The knots and layers around a knot that may be removed: what the removal would cost, and the layers after it.
+// The window of knots and layers around a removable knot: the cost of its removal, and the layers after it.
 #include "reduce/knot_removal_greedy.h"
 
 #include "base/finite.h"
@@ -12,7 +12,7 @@
 
 namespace nrb::reduce {
 
-// The homogeneous points of one place of the layers of a window.
+// The homogeneous points at one place of the layers of a window.
 class GreedyKnotRemoval::Column {
 public:
     Column(double *const *layers, int size, int64_t at, int dim) noexcept
@@ -23,9 +23,9 @@ public:
     }
     [[nodiscard]] const double *record(int i) const noexcept { return layers_[i] + at_; }
     [[nodiscard]] double weight(int i) const noexcept { return record(i)[dim_]; }
-    // The point of the largest weight.
+    // The point of largest weight.
     [[nodiscard]] double centre(int c) const noexcept { return record(heaviest_)[c] / weight(heaviest_); }
-    // The distance from there to any other point that has a place.
+    // The largest distance from there to any other point of positive weight.
     [[nodiscard]] double radius() const noexcept {
         const double quick = largest_square();
         if (quick > 1e-280 && quick < 1e300) {
@@ -40,7 +40,8 @@ public:
         }
         return largest;
     }
-    // The least value of the denominator: where a weight is 0, about the mean with both its neighbours.
+    // An estimate of the least denominator: the least weight or, if that is 0, the least mean with both
+    // neighbours.
     [[nodiscard]] double least_weight() const noexcept {
         double least = infinity, mean = infinity;
         for (int i = 0; i < size_; ++i) {
@@ -80,7 +81,7 @@ private:
     int heaviest_ = 0;
 };
 
-// Counts the copies of the knot as well; returns the layer whose support begins degree knots before it.
+// Also counts the copies of the knot; returns the layer whose support begins degree knots before it.
 int64_t GreedyKnotRemoval::collect_knots_before(int64_t knot, Window &window) const noexcept {
     const auto at = [this](int64_t i) -> const Knot & { return knots_[static_cast<size_t>(i)]; };
     double *last = window.knots + max_basis;
@@ -95,7 +96,7 @@ int64_t GreedyKnotRemoval::collect_knots_before(int64_t knot, Window &window) co
         back = at(back).previous;
         last[-i] = at(back).value + shift;
         if (last[-i] == *last && ++window.multiplicity > degree_) {
-            window.after = degree_ + 1; // a jump reaches one knot farther
+            window.after = degree_ + 1; // a jump affects one more knot
         }
         layer = i == degree_ ? at(back).layer : layer;
     }
@@ -149,7 +150,7 @@ void GreedyKnotRemoval::find_gap(const Window &window) noexcept {
                    [](double a, double b) { return a / 2 - b / 2; });
 }
 
-// How large the gap of weights may be from their rounding alone.
+// How large the gap of the weights may be from their rounding alone.
 double GreedyKnotRemoval::gap_rounding(const Window &window, const Column &column) const noexcept {
     double sum = 0;
     for (int i = 0; i < window.size; ++i) {
@@ -158,7 +159,8 @@ double GreedyKnotRemoval::gap_rounding(const Window &window, const Column &colum
     return rounding_of_zero * sum;
 }
 
-// |D - f E| / v for the moves D of the points and E of the weights, about a point f.
+// |D - f E| / v, where D and E are the changes of points and weights, f is a point of the spline and v its
+// weight.
 double GreedyKnotRemoval::column_cost(const Window &window, int64_t at) const noexcept {
     const int dim = width_ - 1;
     const Column column(window.points, window.size, at, dim);
@@ -192,7 +194,7 @@ double GreedyKnotRemoval::cost(const Window &window) noexcept {
     return std::isnan(largest) ? infinity : largest;
 }
 
-// Of the points of the window: what a knot that was inserted may cost.
+// The rounding level of the points of the window: what removing an inserted knot may cost.
 double GreedyKnotRemoval::rounding(const Window &window) const noexcept {
     double largest = 0;
     for (int64_t at = 0; at < length_; at += width_) {
@@ -209,7 +211,7 @@ double GreedyKnotRemoval::rounding(const Window &window) const noexcept {
     return 64 * eps * largest;
 }
 
-// Whether all weights of a new layer are positive; weights that are 0 apart from rounding become 0.
+// Whether all weights of a new layer are allowed; weights that are 0 up to rounding become 0.
 bool GreedyKnotRemoval::clear_rounded_weights(const Window &window, double *layer) const noexcept {
     for (int64_t at = 0; at < length_; at += width_) {
         RecordRounding largest{0, 0};
@@ -229,7 +231,7 @@ bool GreedyKnotRemoval::clear_rounded_weights(const Window &window, double *laye
     return true;
 }
 
-// The layers of the window, unless a weight would be negative.
+// Computes the layers of the window; false if a weight would not be allowed.
 bool GreedyKnotRemoval::solve(const Window &window) {
     const int size = window.size;
     double *layers[max_basis + 2];

@@ -16,10 +16,10 @@ namespace nrb::reduce {
 
 namespace {
 
-// The knots of the closed domain, its ends degree + 1 times.
+// The knots of the closed domain, its ends repeated degree + 1 times.
 std::vector<double> clamped_knots(const KnotVector &axis) {
     const double lower = axis.domain().lower,
-                 upper = axis.domain().upper; // not bindings: a lambda takes them
+                 upper = axis.domain().upper; // a lambda captures them, so no structured bindings
     const size_t times = static_cast<size_t>(axis.degree()) + 1;
     std::vector<double> knots(times, lower);
     std::copy_if(axis.knots().begin(), axis.knots().end(), std::back_inserter(knots),
@@ -28,7 +28,7 @@ std::vector<double> clamped_knots(const KnotVector &axis) {
     return knots;
 }
 
-// The axis over clamped knots that contain its own. On a periodic axis the stored layers and knots are
+// The axis over clamped knots that include its own. On a periodic axis, the stored layers and knots are
 // sufficient.
 refine::AxisTable clamped_axis(const KnotVector &axis, const std::vector<double> &wanted) {
     const auto [lower, upper] = axis.domain();
@@ -46,7 +46,7 @@ refine::AxisTable clamped_axis(const KnotVector &axis, const std::vector<double>
 struct Pair {
     SplinePtr a;
     SplinePtr b;
-    double steps = 0; // of rounding, on axes whose layers are not copies
+    double steps = 0; // rounding steps, on axes whose layers are not only copied
 };
 
 Pair over_common_knots(const SplinePtr &a, const SplinePtr &b) {
@@ -64,7 +64,7 @@ Pair over_common_knots(const SplinePtr &a, const SplinePtr &b) {
     return pair;
 }
 
-// 1 or -1 if that is the sign of all weights, else 0.
+// 1 or -1 if all weights have that sign, else 0.
 int sign_of_weights(const Spline &spline) noexcept {
     const int sign = spline.weight(0) > 0 ? 1 : -1;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
@@ -108,7 +108,7 @@ double reach(const Spline &spline, int64_t i) noexcept {
     return largest;
 }
 
-// The farthest control point from a place. Homogeneous ones have weights other than 0.
+// Distance from `centre` to the farthest control point. Homogeneous ones must have nonzero weights.
 double radius_about(const Spline &spline, const double *centre) noexcept {
     double largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {

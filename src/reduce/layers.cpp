@@ -13,7 +13,7 @@ namespace nrb::reduce {
 
 namespace {
 
-// One block of a new layer of Form::rational.
+// Writes one block of a new layer of Form::rational.
 void put_records(const double *records, int64_t count, int dim, double *points, double *weights) {
     for (int64_t i = 0; i < count; ++i, records += dim + 1, points += dim) {
         weights[i] = records[dim];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control points layer by layer along an axis, in and out.
+// Gathers the control points of a spline layer by layer along an axis, and makes splines of such layers.
 #pragma once
 
 #include "base/numbers.h"
@@ -9,37 +9,38 @@
 
 namespace nrb::reduce {
 
-// Records of a net put layer by layer: all of layer 0, then all of layer 1 and so on, in the order of the other axes.
+// Reorders the records of a net layer by layer: all of layer 0, then all of layer 1, and so on, in the order
+// of the other axes.
 std::vector<double> by_layers(std::vector<double> records, const AxisView &view);
-// Those of a spline: homogeneous points when rational.
+// The records of a spline in this order: homogeneous points if it is rational.
 std::vector<double> layer_records(const Spline &spline, int axis);
-// Doubles in a layer.
+// Number of doubles in a layer.
 int64_t layer_length(const Spline &spline, int axis);
 
-// The kind of a computed record whose weight may be 0.
+// Classification of a computed record whose weight may be 0.
 enum class Weight { positive, zero, infinite, negative };
-// How large a value that should be 0 may be after a few operations of 2 eps each, as a part of the values
-// that it comes from.
+// How large a value that should be 0 may be after a few operations of 2 eps each, relative to the values it
+// is computed from.
 inline constexpr double rounding_of_zero = 32 * eps;
-// Weights and coordinates of at most this size are rounding: eps times the largest ones that were computed
-// with.
+// Weights and coordinates up to this size are rounding errors: eps times the largest values that they were
+// computed from.
 struct RecordRounding {
     double weight;
     double coordinate;
 };
-// Sets what is no more than rounding to 0: the weight, and the whole record if that is Weight::zero. A record
-// with weight 0 and coordinates is a point at infinity.
+// Sets to 0 what does not exceed the rounding: the weight, and the whole record if it is Weight::zero. A
+// record with weight 0 and nonzero coordinates is a point at infinity.
 Weight clear_rounding(double *record, int dim, const RecordRounding &rounding) noexcept;
 
-// A layer of a new spline: a layer of the old one, bit for bit, or records of its own.
+// A layer of a new spline: a layer of the old one, bit for bit, or new records.
 struct LayerSource {
     int64_t stored; // -1: none
     const double *records;
 };
 
-// The spline with another axis, layer by layer. Throws what make_result() throws. Precondition: new records
-// of Form::rational have weights other than 0, or are 0: control points that have no effect, put at the
-// origin.
+// The spline with another axis, assembled layer by layer. Throws what make_result() throws. Precondition: new
+// records of Form::rational have nonzero weights, or are entirely 0: then they are control points without
+// effect, put at the origin.
 SplinePtr spline_of_layers(const Spline &old, int axis, KnotVectorPtr knots,
                            std::span<const LayerSource> layers);
 // The same by make_result_if_valid(): null if the weights are not allowed.

@@ -18,7 +18,7 @@ namespace nrb::reduce {
 
 namespace {
 
-// `width` values stand for one control point.
+// `width`: number of values for each control point.
 bool layers_repeat(const Spline &spline, int k, std::span<const double> values, int width) noexcept {
     const AxisView view = axis_view(spline, k, width);
     const int64_t repeated = int64_t{spline.axis(k).degree()} * view.inner, row = view.count * view.inner;
@@ -39,12 +39,12 @@ SplinePtr declared_periodic(const Spline &spline, int k) {
                        {spline.weights().begin(), spline.weights().end()});
 }
 
-// The knots of the periodic axis with p - order copies of the seam, the last of them at index degree; `axis`
-// is clamped.
+// The knots of the periodic axis with p - order copies of the seam, the last of them at index degree.
+// Precondition: `axis` is clamped.
 std::vector<double> periodic_knots(const KnotVector &axis, int order) {
     const auto p = static_cast<size_t>(axis.degree()), n = static_cast<size_t>(axis.count());
     const auto [lower, upper] = axis.domain();
-    const size_t period = n - 1 - static_cast<size_t>(order); // knots inside, and the seam's
+    const size_t period = n - 1 - static_cast<size_t>(order); // knots inside, plus copies of the seam
     std::vector<double> knots(period + 2 * p + 1, upper);
     knots[p] = lower;
     std::copy(axis.knots().begin() + axis.degree() + 1, axis.knots().begin() + axis.count(),
@@ -53,8 +53,8 @@ std::vector<double> periodic_knots(const KnotVector &axis, int order) {
     return knots;
 }
 
-// The layer `ahead` places after the last one before the seam: its arguments are order - ahead knots before
-// the seam, all copies of the seam, and `ahead` knots after it.
+// The layer `ahead` places after the last one before the seam. The arguments of its polar form are order
+// - ahead knots before the seam, all copies of the seam, and `ahead` knots after it.
 void add_seam_row(const KnotVector &axis, std::span<const double> knots, int order, int ahead,
                   LayerTable &table) {
     const int64_t p = axis.degree(), n = axis.count(), copies = p - order;
@@ -70,7 +70,7 @@ void add_seam_row(const KnotVector &axis, std::span<const double> knots, int ord
     }
 }
 
-// Layers of one period: the one whose arguments end with the seam, those across it, and those after it.
+// The layers of one period: the layer whose arguments end with the seam, those across it, and those after it.
 refine::AxisTable periodic_table(const KnotVector &axis, int order, int k) {
     std::vector<double> knots = periodic_knots(axis, order);
     const int64_t n = axis.count(), period = n - 1 - order;
@@ -88,7 +88,7 @@ refine::AxisTable periodic_table(const KnotVector &axis, int order, int k) {
     return {make_knot_vector(axis.degree(), std::move(knots), true, k), std::move(rows)};
 }
 
-// Null if weights continued beyond an end become negative, or 0 at infinity: the order is too high.
+// Empty if extrapolated weights become negative, or 0 for a point at infinity: the order is too high.
 std::optional<PeriodicForm> form_of_order(const SplinePtr &spline, const Spline &whole, int k, int order) {
     const refine::AxisTable made = periodic_table(whole.axis(k), order, k);
     auto [net, infinite] = refine::continued_along(whole, k, made.table);

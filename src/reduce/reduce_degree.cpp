@@ -42,13 +42,13 @@ KnotVectorPtr lowered_open_axis(const KnotVector &axis, int times) {
     return std::make_shared<const KnotVector>(axis.degree() - times, std::move(knots));
 }
 
-// Copies of the seam at stored knots up to the one that starts the domain.
+// The number of copies of the seam up to and including the one that starts the domain.
 int64_t seam_copies_before(const KnotVector &axis) noexcept {
     const auto first = std::lower_bound(axis.knots().begin(), axis.knots().end(), axis.domain().lower);
     return axis.degree() + 1 - (first - axis.knots().begin());
 }
 
-// nurbs_elevate() puts new copies of the seam after the one that starts the domain; those are removed first.
+// nurbs_elevate() puts new copies of the seam after the one that starts the domain; these are removed first.
 KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
     const auto [lower, upper] = axis.domain();
     const auto q = static_cast<size_t>(axis.degree() - times);
@@ -76,7 +76,8 @@ KnotVectorPtr lowered_periodic_axis(const KnotVector &axis, int times) {
     return std::make_shared<const KnotVector>(axis.degree() - times, std::move(knots), true);
 }
 
-// Knots of `fine` in the half-open domain (inside it, if not periodic) that `coarse` has less often.
+// The knots of `fine` in the half-open domain (in its interior, if not periodic) that `coarse` has with lower
+// multiplicity.
 std::vector<double> missing_knots(const KnotVector &fine, const KnotVector &coarse) {
     const auto [lower, upper] = fine.domain();
     std::vector<double> missing;
@@ -94,7 +95,7 @@ std::vector<double> missing_knots(const KnotVector &fine, const KnotVector &coar
     return missing;
 }
 
-// The polynomial spline of the records, with one layer of the axis after the other.
+// The refined records of a spline as those of a polynomial spline, layer by layer along the axis.
 std::vector<double> refined_layers(const Spline &spline, int axis, const refine::AxisTable &made) {
     AxisView view = axis_view(spline, axis, spline.width());
     view.count = made.axis->count();
@@ -106,7 +107,8 @@ std::vector<double> refined_layers(const Spline &spline, int axis, const refine:
     return by_layers(apply_along(records, axis, made.table).points, view);
 }
 
-// Raised layers (of one period) as rows of the unknown ones.
+// The least-squares system: each elevated layer (of one period) is a row over the unknown layers of lower
+// degree.
 class ReductionSystem {
 public:
     // `fixed`: the first and the last unknown layer are known.
@@ -121,7 +123,7 @@ public:
         bandwidth_ = widest;
     }
 
-    // Layer r of the right-hand side is targets[(r + shift) mod rows]; x holds the fixed layers already.
+    // Layer r of the right-hand side is targets[(r + shift) mod rows]; x already holds the fixed layers.
     bool solve(const std::vector<double> &targets, int64_t shift, double *x) {
         BandedLeastSquares system(columns_, bandwidth_, static_cast<int>(border_), length_);
         std::vector<double> right(static_cast<size_t>(length_));
@@ -162,7 +164,7 @@ private:
     int bandwidth_ = 1;
 };
 
-// The largest weight and coordinate at one place of layers [first, end).
+// The largest weight and the largest coordinate at one place of layers [first, end).
 RecordRounding largest_around(const std::vector<double> &layers, int64_t length, int64_t at, int dim,
                               int64_t first, int64_t end) noexcept {
     RecordRounding largest{0, 0};
@@ -175,14 +177,14 @@ RecordRounding largest_around(const std::vector<double> &layers, int64_t length,
     return largest;
 }
 
-// What is left of the weights of new layers.
+// The state of the weights of new layers.
 struct LayerWeights {
     bool infinite = false; // a point at infinity remains
     double negative = 0;   // the first weight that is not allowed; 0: none
 };
 
-// Weights of Form::rational that are 0 to the rounding of the solution, 32 (degree + 1) eps of the weights
-// nearby, become 0.
+// Sets to 0 the weights of Form::rational that are 0 up to the rounding of the solution, 32 (degree + 1) eps
+// of the weights nearby.
 LayerWeights clear_rounded_weights(const Spline &spline, int degree, int64_t length,
                                    std::vector<double> &layers) {
     const double rounding = rounding_of_zero * (degree + 1);
@@ -212,7 +214,7 @@ struct Lowered {
     SplinePtr source; // with clamped ends, unless it is periodic
     KnotVectorPtr knots;
     std::vector<double> layers; // of one period
-    bool fixed;                 // the ends are the layers of the source
+    bool fixed;                 // the first and the last layer are those of the source
     LayerWeights weights;
 };
 
@@ -256,7 +258,7 @@ std::vector<LayerSource> layer_sources(const Lowered &lowered, int axis) {
     return sources;
 }
 
-// In a form that points at infinity are allowed in, if there are some.
+// The source, in a form that admits points at infinity if there are any.
 SplinePtr form_of_result(const Lowered &lowered) {
     return lowered.weights.infinite ? refine::in_form(lowered.source, Form::homogeneous) : lowered.source;
 }

@@ -16,14 +16,14 @@ namespace {
 constexpr int max_rounds = 12;
 constexpr int max_attempts = 5;
 
-// How far a spline is from another one, at most: errors[i] in [breaks[i], breaks[i + 1]) along an axis.
+// Upper bounds of the distance from another spline: errors[i] in [breaks[i], breaks[i + 1]) along an axis.
 struct SpanErrors {
     std::vector<double> breaks, errors;
 
     [[nodiscard]] double largest() const { return *std::max_element(errors.begin(), errors.end()); }
 };
 
-// The largest of all pieces in each span.
+// For each span, the largest bound of all its pieces.
 SpanErrors span_errors(const bounds::DeviationPieces &pieces, const std::vector<double> &uppers, int axes,
                        int axis) {
     size_t inner = 1;
@@ -39,7 +39,7 @@ SpanErrors span_errors(const bounds::DeviationPieces &pieces, const std::vector<
     return {breaks, std::move(errors)};
 }
 
-// Adds the largest error that the other spline, which has more breaks, has in each span.
+// Adds, for each span, the largest error of the other list, whose breaks are finer.
 void add_largest(SpanErrors &sum, const SpanErrors &finer) {
     size_t i = 0;
     for (size_t span = 0; span < sum.errors.size(); ++span) {
@@ -57,9 +57,9 @@ struct Certified {
     std::vector<double> uppers;
 };
 
-// The removals of a round. Their errors are added up, though most of them cancel. Where much is gone already they are
-// measured against the last result, whose own errors are known: that takes little, and lets more go before
-// all of it is compared with the original again.
+// One round of removals. Their estimated errors add up, though most of them cancel. Where many knots are gone
+// already, the errors are measured against the last result, whose own errors are known. This costs little,
+// and admits more removals before the whole is compared with the original again.
 class Round {
 public:
     Round(GreedyKnotRemoval &removal, int axis, double aim) : removal_(removal), axis_(axis), aim_(aim) {}
@@ -92,8 +92,8 @@ private:
     double aim_;
 };
 
-// Rounds of removal until one removes nothing, or does not keep the tolerance because of rounding or because
-// weights moved; returns the last result that kept it. The removal itself keeps to `aim`.
+// Rounds of removal until a round removes nothing, or exceeds the tolerance because of rounding or because
+// weights changed; returns the last result within the tolerance. The removal itself aims at `aim`.
 Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, bool forgive_rounding) {
     Certified best{spline, {}, {}};
     bounds::DeviationsFrom deviations(*spline);
@@ -117,8 +117,9 @@ Certified thin(const SplinePtr &spline, int axis, double tolerance, double aim, 
     return best;
 }
 
-// Weights that differ much make the computed rounding larger than it is anywhere, so it is ignored at first.
-// If certificates fail, half the tolerance and less is tried.
+// Where weights differ much, the rounding in the computed gaps looks larger than it is anywhere, so it is
+// forgiven at first. If the certificate fails, it is no longer forgiven, and then half the tolerance and less
+// is tried.
 Reduced reduce_axis(const SplinePtr &spline, int axis, double tolerance) {
     double aim = tolerance;
     bool forgive = spline->rational();

@@ -8,13 +8,13 @@ namespace nrb::reduce {
 
 struct Reduced {
     SplinePtr spline;
-    double bound; // proven, of the distance to the given spline
+    double bound; // proven bound of the distance to the given spline
 };
 
-// Removes knots of one axis, or of every one (-1), which share the tolerance evenly. The whole is certified
-// against the given spline, the measured errors replace the errors that were added up, and the removal goes
-// on until no knot can be removed. Throws Status::tolerance, periodic_knots, not_representable. Cost: near
-// linear in the number of points.
+// Removes knots of one axis, or of all (-1), which share the tolerance evenly. The result is certified
+// against the given spline, the measured errors replace the accumulated estimates, and the removal is
+// repeated until no knot can be removed. Throws Status::tolerance, periodic_knots, not_representable. Cost:
+// nearly linear in the number of points.
 Reduced reduce_knots(const SplinePtr &spline, int axis, double tolerance);
 
 } // namespace nrb::reduce

@@ -8,7 +8,8 @@ namespace nrb::reduce {
 
 namespace {
 
-// n_(i+1) = -n_i alpha_i / (1 - alpha_(i+1)), divided by sum |n_i|, and its products with the fixed layers.
+// n_(i+1) = -n_i alpha_i / (1 - alpha_(i+1)), divided by sum |n_i|; then the coefficients of the fixed
+// layers.
 void fill_functional(RemovalStep &step) noexcept {
     double *null = step.functional + 1;
     null[0] = 1;
@@ -22,8 +23,8 @@ void fill_functional(RemovalStep &step) noexcept {
     null[step.rows] = -step.alpha[step.rows - 1] * null[step.rows - 1];
 }
 
-// Rows before are swept from the left, dividing by alpha; rows after are swept from the right, dividing by 1
-// - alpha.
+// Rows before the skipped one are solved from the left, dividing by alpha; rows after it from the right,
+// dividing by 1 - alpha.
 int skipped_row(const RemovalStep &step) noexcept {
     int row = 0;
     while (row < step.rows && step.alpha[row] >= 0.5) {

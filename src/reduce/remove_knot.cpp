@@ -15,14 +15,14 @@ namespace nrb::reduce {
 
 namespace {
 
-// The new layers as rows over the window of the old ones.
+// The new layers as rows over the window of old layers.
 struct WindowRows {
     int size;  // of a row
-    int count; // rows
+    int count; // number of rows
     double entries[max_basis][max_basis + 2];
 };
 
-// The rows are the result of the removal on the unit vectors.
+// Applies the removal to unit vectors, which gives the rows.
 WindowRows window_rows(const double *last, int degree, int multiplicity) noexcept {
     if (multiplicity > degree) { // the layers on both sides of the jump are replaced by their mean
         return {2, 1, {{0.5, 0.5}}};
@@ -53,7 +53,7 @@ refine::AxisTable without_open_knot(const KnotVector &axis, double knot) {
     const int64_t last = last_copy(axis, knot);
     const WindowRows rows =
         window_rows(axis.knots().data() + last, axis.degree(), multiplicity(axis.knots(), knot));
-    const int64_t first = last - axis.degree() - 1; // of the window
+    const int64_t first = last - axis.degree() - 1; // first layer of the window
     refine::AxisTable made;
     made.table.reserve(axis.count() - 1);
     const int64_t kept_before = rows.size == 2 && rows.count == 1 ? first : first + 1;
@@ -76,8 +76,8 @@ int64_t modulo(int64_t i, int64_t period) noexcept {
     return (i % period + period) % period;
 }
 
-// One copy of a knot of a periodic axis and all its copies a period away: indices as in the endless sequence
-// whose stored part begins at 0.
+// Removes one copy of a knot of a periodic axis, with its copies a period away. Indices are those of the
+// infinite periodic sequence, whose stored part begins at 0.
 class PeriodicRemoval {
 public:
     PeriodicRemoval(const KnotVector &axis, double knot)
@@ -92,7 +92,7 @@ public:
     refine::AxisTable make() {
         const int p = axis_.degree();
         collect_kept();
-        const int64_t lower = place(last_ == p ? p - 1 : p); // the copy that is to start the domain
+        const int64_t lower = place(last_ == p ? p - 1 : p); // the copy that will start the domain
         const auto first = kept_.begin() + lower - p;
         std::vector<double> knots(first, first + period_ + 2 * int64_t{p});
         check_domain(knots);
@@ -119,7 +119,7 @@ private:
             }
         }
     }
-    // Where a knot that stays is in kept_.
+    // The position in kept_ of a knot that stays.
     [[nodiscard]] int64_t place(int64_t i) const noexcept {
         const int64_t at = i + lead_, removed = modulo(last_ + lead_, period_);
         return at - (at > removed ? (at - removed + period_ - 1) / period_ : 0);
@@ -138,7 +138,7 @@ private:
         check_periodic_knots(p, knots, -1, 0);
     }
 
-    // The new layers of the window, and the others as they are.
+    // The new layers of the window, and the others unchanged.
     std::vector<Row> layers_of_one_period() {
         const int p = axis_.degree();
         window_ = window_rows(extended_.data() + lead_ + last_, p, multiplicity_);
@@ -154,7 +154,7 @@ private:
         return rows;
     }
 
-    // A band that would reach beyond the stored layers is written with its end at their start.
+    // A band that extends beyond the stored layers wraps around to their start.
     void add(const Row &row, LayerTable &table) const {
         const int64_t first = modulo(row.first, period_);
         if (row.size == 0) {
@@ -194,12 +194,12 @@ void check_removable(const KnotVector &axis, int k, double knot) {
     }
 }
 
-// How often a knot can be removed.
+// How many copies of a knot can be removed.
 int64_t removable_copies(const KnotVector &axis, double knot) {
     return multiplicity(axis.knots(), knot) - (knot == axis.domain().lower ? 1 : 0);
 }
 
-// Where the removal of copies of a knot moves the spline: one knot more on either side if it was a jump.
+// Where removing copies of a knot moves the spline. The extra index on either side covers the case of a jump.
 Interval affected(const KnotVector &axis, double knot, int64_t copies) {
     const int64_t p = axis.degree(), last = last_copy(axis, knot);
     const int64_t first = last - copies - p;

@@ -13,8 +13,8 @@ namespace nrb::reduce {
 
 namespace {
 
-// The polynomial spline of the Cartesian points; null if there are none, or for a polynomial spline. Points
-// without influence gain some in it, wherever they are stored.
+// The polynomial spline with the same Cartesian points; null for a polynomial spline, or if a point is not
+// finite. Points without influence gain some, wherever they are stored.
 SplinePtr without_weights(const Spline &given) {
     if (!given.rational()) {
         return nullptr;
@@ -26,7 +26,7 @@ SplinePtr without_weights(const Spline &given) {
                : nullptr;
 }
 
-// One degree less; null if the weights do not allow it, or only steps would be left.
+// One degree less; null if the weights do not allow it, or if the degree would become 0.
 SplinePtr one_degree_less(const SplinePtr &spline, int axis) {
     return spline->axis(axis).degree() <= 1 ? nullptr : lower_degree_if_valid(spline, axis, 1);
 }
@@ -45,7 +45,7 @@ bool accept(bounds::DeviationsFrom &original, const SplinePtr &candidate, double
     return true;
 }
 
-// With as few knots as the remaining tolerance allows.
+// Removes as many knots as the remaining tolerance allows.
 Reduced thinned(bounds::DeviationsFrom &original, const Reduced &state, double tolerance) {
     const Phase phase;
     const Reduced fewer = reduce_knots(state.spline, -1, tolerance - state.bound);
@@ -58,7 +58,7 @@ Reduced thinned(bounds::DeviationsFrom &original, const Reduced &state, double t
 
 } // namespace
 
-// A lower degree may need more knots than the higher one: it is kept only if it does not.
+// A lower degree may need more knots than the higher one: it is kept only if it does not need more points.
 Reduced simplify(const SplinePtr &spline, double tolerance) {
     check_tolerance(tolerance);
     bounds::DeviationsFrom original(*spline);

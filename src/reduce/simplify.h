@@ -6,7 +6,7 @@
 
 namespace nrb::reduce {
 
-// Reduces weights first, then the degree of each axis, then knots. Throws as reduce_knots().
+// Removes weights first, then lowers the degree of each axis, then removes knots. Throws as reduce_knots().
 Reduced simplify(const SplinePtr &spline, double tolerance);
 
 } // namespace nrb::reduce

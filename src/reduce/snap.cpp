@@ -30,7 +30,7 @@ Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance) {
         return {spline, 0};
     }
     SplinePtr snapped = over_axis(*spline, axis, moved);
-    check_spline(*snapped, Values::computed); // a knot that grows may leave a place without weights
+    check_spline(*snapped, Values::computed); // merged knots may leave places without weights
     const double deviation = deviation_bound(spline, snapped);
     return {std::move(snapped), deviation};
 }

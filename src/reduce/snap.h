@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Near-equal knots of one spline snapped together.
+// Snaps nearly equal knots of one spline together.
 #pragma once
 
 #include "refine/knots/axis_table.h"
@@ -11,15 +11,15 @@ struct Snapped {
     double deviation; // an upper bound, see deviation_bound(); 0 if no knot moved
 };
 
-// Knots in clusters of at most tolerance * (length of the domain), see KnotClusters, become one. Control
-// points stay, except those that moved_axis() drops. Throws Status::tolerance unless 0 <= tolerance < 1,
-// multiplicity, and what refining throws.
+// Clusters of knots of a width of at most tolerance * (length of the domain), see KnotClusters, become single
+// knots. Control points stay, except those that moved_axis() drops. Throws Status::tolerance unless 0
+// <= tolerance < 1; multiplicity, and what refinement throws.
 Snapped snap_knots(const SplinePtr &spline, int axis, double tolerance);
 
 // Throws Status::tolerance unless 0 <= tolerance < 1.
 void check_relative_tolerance(double tolerance);
 
-// The layers of a moved axis over that axis; the caller has to run check_spline().
+// Puts the layers of a moved axis over that axis; the caller has to run check_spline().
 SplinePtr over_axis(const Spline &spline, int k, const refine::AxisTable &moved);
 
 } // namespace nrb::reduce

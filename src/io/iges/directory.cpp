@@ -13,7 +13,7 @@ namespace {
 constexpr size_t field_columns = 8;
 constexpr size_t back_pointer_column = parameter_columns;
 
-// Fields count from 1 on each of the two lines.
+// Fields are numbered from 1 on each of the two lines.
 std::string_view field_text(std::string_view line, size_t field) {
     return trim(line.substr((field - 1) * field_columns, field_columns));
 }
@@ -28,7 +28,8 @@ int64_t field_integer(std::string_view line, size_t field, const char *what) {
     return value;
 }
 
-// Two digits of field 9 (blank, subordinate, use, hierarchy); use 05: in the parameter plane of a surface.
+// The use flag, two of the digits of field 9 (blank status, subordinate, use, hierarchy): 05 means in the
+// parameter plane of a surface.
 bool in_parameter_plane(std::string_view line) {
     const std::string_view use = line.substr(8 * field_columns + 4, 2);
     return (use[0] == '0' || use[0] == ' ') && use[1] == '5';
@@ -55,8 +56,8 @@ void read_fields(std::string_view first, std::string_view second, Entry &entry) 
     entry.parameter_plane = in_parameter_plane(first);
     entry.data_count = field_integer(second, 4, "14 (parameter line count)");
     entry.form = field_integer(second, 5, "15 (form)");
-    parse_integer(field_text(second, 3), entry.colour); // no shape depends on it
-    parse_integer(field_text(first, 5), entry.level);   // nor on that
+    parse_integer(field_text(second, 3), entry.colour); // ignored if unreadable: no shape depends on it
+    parse_integer(field_text(first, 5), entry.level);   // ignored in the same way
     entry.label = field_text(second, 8);
     entry.subscript = field_integer(second, 9, "19 (subscript)");
 }
@@ -72,7 +73,7 @@ Entry read_entry(std::string_view first, std::string_view second, int64_t line) 
     return entry;
 }
 
-// Columns 65-72: the entity that a line of parameter data belongs to.
+// Columns 65-72: the entity to which a line of parameter data belongs.
 std::string_view back_pointer_text(std::string_view line) {
     return trim(line.substr(back_pointer_column, field_columns));
 }
@@ -102,7 +103,7 @@ std::optional<size_t> Directory::find(int64_t pointer) const noexcept {
     return static_cast<size_t>(pointer / 2);
 }
 
-// Writers that leave the count blank mark the extent by the back pointers.
+// Where the line count is blank, the back pointers mark the extent of the data.
 int64_t ParameterData::line_count(const Entry &entry) const {
     const int64_t left = std::ssize(lines_) - entry.data_line + 1;
     if (entry.data_count > 0) {

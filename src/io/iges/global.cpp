@@ -20,7 +20,7 @@ double metres_of_name(std::string_view name) {
     return found != std::end(units) ? found->metres : 0;
 }
 
-// The flag rules; the name counts only if the flag is 3 or left out.
+// The rules of the unit flag; the name counts only if the flag is 3 or omitted.
 double metres_of(int64_t flag, std::string_view name) {
     if (flag == flag_by_name || (flag == 0 && !trim(name).empty())) {
         return metres_of_name(name);
@@ -38,7 +38,7 @@ std::string joined(const Lines &lines) {
     return text;
 }
 
-// A delimiter may not be a character that numbers and strings need.
+// A delimiter must not be a character that numbers and strings need.
 char checked_delimiter(char c, const char *what) {
     constexpr std::string_view taken = " 0123456789+-.DEH";
     if (c < ' ' || c > '~' || taken.find(c) != std::string_view::npos) {
@@ -48,8 +48,8 @@ char checked_delimiter(char c, const char *what) {
     return c;
 }
 
-// The first two parameters are strings of length 1 that name the delimiters by which they are themselves
-// read; a blank one keeps the default.
+// The first two parameters are strings of length 1 that define the delimiters by which they are themselves
+// separated; a blank one keeps the default.
 char read_delimiter(std::string_view text, size_t &at, char fallback, const char *what) {
     at = std::min(text.find_first_not_of(' ', at), text.size());
     if (text.substr(at, 2) != "1H" || at + 2 >= text.size()) {
@@ -69,7 +69,7 @@ void expect_delimiter(std::string_view text, size_t &at, Delimiters delimiters) 
     }
 }
 
-// An empty record is allowed: every parameter has its default.
+// An empty record is valid: every parameter has a default.
 Delimiters read_delimiters(std::string_view text) {
     Delimiters result;
     size_t at = 0;
@@ -87,7 +87,7 @@ Delimiters read_delimiters(std::string_view text) {
     return result;
 }
 
-// Nothing that is read depends on it so much that a file without a good one would be refused.
+// An invalid resolution counts as not stated: it is not important enough to refuse the file.
 double read_resolution(Record &record) {
     try {
         const double value = record.real("global section: resolution");
@@ -106,9 +106,9 @@ Global read_global(const Lines &lines) {
     Record record(std::move(text), global.delimiters);
     record.skip(2); // delimiters
     global.product = printable(trim(record.string("global section: product")));
-    record.skip(2); // the file and the system
+    record.skip(2); // file and system
     global.all_digits = record.string("global section: preprocessor") == own_preprocessor;
-    record.skip(6); // digits of numbers, who reads it
+    record.skip(6); // digits of numbers, recipient
     const bool unscaled = record.next_is_blank();
     const double given = record.real("global section: model space scale");
     const double scale = unscaled ? 1.0 : given;

@@ -10,16 +10,16 @@
 
 namespace nrb::io::iges {
 
-// How files that this library writes call their preprocessor.
+// The preprocessor name in files written by this library.
 inline constexpr std::string_view own_preprocessor = "libnurbs";
 
 struct Global {
     Delimiters delimiters;
-    std::string product; // how its sender calls it
+    std::string product; // as its sender names it
     bool all_digits =
-        false; // whether its numbers are written with all digits that they have, as this library does
+        false; // its numbers have all their digits, as this library writes them
     double metres_per_unit = 0; // of the coordinates in the file; 0: unknown
-    double resolution = 0; // least distance that the file tells from none, in its coordinates; 0: not stated
+    double resolution = 0; // smallest distance that the file distinguishes from 0, in its unit; 0: not stated
 };
 
 // Throws Status::syntax.

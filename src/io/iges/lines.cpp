@@ -15,12 +15,12 @@ constexpr std::string_view section_letters = "SGDPT";
 struct FileLine {
     std::string_view text;
     int64_t number;  // in the file, from 1
-    bool terminated; // false only for a last line without line end
+    bool terminated; // false only for a last line without a line end
 };
 
 // Takes the next line off `rest`, without its line end, which is LF, CR LF or CR.
 FileLine take_line(std::string_view &rest, int64_t number) noexcept {
-    const size_t feed = rest.find('\n'); // find_first_of() would look at each character alone
+    const size_t feed = rest.find('\n'); // faster than find_first_of(), which examines each character
     const size_t end = std::min(feed, rest.substr(0, feed).find('\r'));
     const bool terminated = end != std::string_view::npos;
     const std::string_view text(rest.data(), std::min(end, rest.size()));
@@ -31,13 +31,13 @@ FileLine take_line(std::string_view &rest, int64_t number) noexcept {
     return {text, number, terminated};
 }
 
-// Programs for DOS ended text files with a Control-Z; others fill up a block with zeros.
+// Text files of DOS may end with a Control-Z; some programs pad the last block with zeros.
 bool blank(std::string_view text) noexcept {
     constexpr std::string_view nothing(" \t\r\n\x1a\0", 6);
     return text.find_first_not_of(nothing) == std::string_view::npos;
 }
 
-// Takes off what editors and mail programs put before the first line; returns how many lines that were.
+// Removes what editors and mail programs put before the first line; returns the number of lines removed.
 int64_t take_preamble(std::string_view &rest) noexcept {
     constexpr std::string_view byte_order_mark("\xef\xbb\xbf");
     if (rest.starts_with(byte_order_mark)) {
@@ -73,8 +73,8 @@ size_t section_of(const FileLine &line) {
          static_cast<long long>(line.number), excerpt(std::string_view(&letter, 1)).c_str());
 }
 
-// Columns 74-80 count the lines of the section; missing lines would shift every pointer after them. A blank
-// number is taken as right.
+// Columns 74-80 count the lines of the section; a missing line would shift every pointer after it. A blank
+// number counts as correct.
 void check_sequence(const FileLine &line, int64_t expected) {
     const std::string_view field = trim(line.text.substr(data_columns + 1, line_columns - data_columns - 1));
     int64_t sequence = 0;
@@ -95,7 +95,7 @@ void check_width(const FileLine &line) {
     }
 }
 
-// After the terminate section only blank lines may follow.
+// Only blank lines may follow the terminate section.
 void check_rest(std::string_view rest, int64_t number) {
     while (!rest.empty()) {
         const FileLine line = take_line(rest, ++number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The 80-column lines of an IGES file, sorted into its sections.
+// Splits an IGES file into its 80-column lines, sorted by section.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace nrb::io::iges {
 
-inline constexpr size_t data_columns = 72;      // free text of a line of the sections S, G and T
-inline constexpr size_t parameter_columns = 64; // free text of a line of section P
+inline constexpr size_t data_columns = 72;      // free text of a line in sections S, G and T
+inline constexpr size_t parameter_columns = 64; // free text of a line in section P
 inline constexpr size_t line_columns = 80;
 inline constexpr int64_t sequence_limit = 10'000'000; // sequence numbers have seven digits
 
 using Lines = std::vector<std::string_view>;
 
-// Every line has at least 73 columns, and line i of a section carries sequence number i + 1.
+// Every line has at least 73 columns, and line i of a section has the sequence number i + 1.
 struct Sections {
     Lines start;
     Lines global;
@@ -25,15 +25,15 @@ struct Sections {
     Lines terminate;
 };
 
-// The first line that is not blank, without what editors put before it.
+// The first line that is not blank, without a byte order mark before it.
 std::string_view first_line(std::span<const char> bytes) noexcept;
 
-// Whether that line is one of the fixed-length, or of the compressed, ASCII form.
+// Whether that line belongs to the fixed-length, or to the compressed, ASCII form.
 bool begins_iges(std::span<const char> bytes) noexcept;
 bool begins_compressed(std::span<const char> bytes) noexcept;
 
-// Views into `bytes`. Throws Status::truncated or syntax; messages count lines of the file from
-// 1.
+// The lines are views into `bytes`. Throws Status::truncated or syntax; messages count the lines of the file
+// from 1.
 Sections split_sections(std::span<const char> bytes);
 
 } // namespace nrb::io::iges

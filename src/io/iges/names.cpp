@@ -14,7 +14,7 @@ namespace {
 
 constexpr int64_t name_form = 15;
 
-// In rising order.
+// In increasing order.
 constexpr std::pair<int, const char *> type_names[] = {
     {0, "null"},
     {100, "circular arc"},
@@ -73,7 +73,7 @@ const char *type_name(int type) noexcept {
     return found != std::end(type_names) && found->first == type ? found->second : "entity";
 }
 
-// Number of properties, the name. An unreadable property names nothing.
+// The record holds the number of properties, then the name. An unreadable property gives no name.
 const std::string &Names::read_property(size_t index) {
     const auto known = properties_.find(index);
     if (known != properties_.end()) {
@@ -119,7 +119,7 @@ std::string Names::name(const Entry &entry, Record &record) {
     try {
         name = property_name(record);
     } catch (const Error &) {
-        name.clear(); // trailing rubbish does not make the geometry before it wrong
+        name.clear(); // trailing garbage does not invalidate the geometry before it
     }
     if (!name.empty()) {
         return name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of entities: those that a file gives to its own, and those of the standard for the types.
+// Names of entities: those that a file assigns, and those of the standard for entity types.
 #pragma once
 
 #include "io/iges/directory.h"
@@ -15,11 +15,11 @@ class Names {
 public:
     Names(const Directory &directory, ParameterData &data) : directory_(directory), data_(data) {}
 
-    // The name of an entity whose record has been read up to the pointers at its end: the first name property
-    // (406 form 15) among them, else label and subscript "LABEL(3)", else "126#17".
+    // The name of an entity whose record has been read up to the pointers at its end: that of the first name
+    // property (406 form 15) among them, else its label and subscript "LABEL(3)", else "126#17".
     std::string name(const Entry &entry, Record &record);
 
-    // Whether the property of a directory entry has given a name.
+    // Whether the property at a directory entry has provided a name.
     [[nodiscard]] bool used(size_t index) const noexcept;
 
 private:
@@ -28,7 +28,7 @@ private:
 
     const Directory &directory_;
     ParameterData &data_;
-    std::map<size_t, std::string> properties_; // read already, by index of the directory entry
+    std::map<size_t, std::string> properties_; // those read already, by index of the directory entry
 };
 
 } // namespace nrb::io::iges

@@ -22,7 +22,7 @@ public:
           parameter_plane_(iges::find_parameter_plane_curves(directory_, data_)),
           splines_(directory_.entries().size()), is_part_(directory_.entries().size(), false) {}
 
-    // What other splines consist of is known once they have been read, so they come first.
+    // Entities with parts are read first: what other splines consist of is known only after that.
     model::Model run() {
         Steps steps(2);
         read_entities(true);
@@ -46,7 +46,7 @@ private:
         });
     }
 
-    // Those of parts have been marked with these.
+    // If an entity is marked already, so are its parts.
     void mark_parts(int64_t owner) {
         for (const int64_t pointer : geometry_.parts(owner)) {
             const size_t index = *directory_.find(pointer);
@@ -57,7 +57,7 @@ private:
         }
     }
 
-    // Whose spline takes the place of those of its parts.
+    // Types whose spline replaces those of their parts.
     static bool has_parts(int type) noexcept {
         return type == iges::composite_type || (iges::is_surface(type) && type != iges::offset_surface_type);
     }
@@ -98,7 +98,7 @@ private:
         return std::move(made.spline);
     }
 
-    // The B-splines come first, at the places where they are without the others.
+    // The B-splines come first, in the order that they have without the others.
     void collect_splines() {
         for (const bool first : {true, false}) {
             for (size_t i = 0; i < splines_.size(); ++i) {
@@ -112,7 +112,8 @@ private:
         }
     }
 
-    // Points and directions that became part of a spline are not lost. Which ones these are is known only at the end.
+    // Points and directions that became part of a spline are not lost, so they need no note. Which ones these
+    // are is known only at the end.
     void drop_notes_on_parts() {
         std::erase_if(model_.notes, [this](const model::Note &note) {
             const std::optional<size_t> index = directory_.find(note.line);
@@ -121,8 +122,8 @@ private:
     }
 
     std::vector<bool> parameter_plane_;
-    std::vector<SplinePtr> splines_; // of the entries of the directory; null for those that have none
-    std::vector<bool> is_part_;      // of another entry's spline
+    std::vector<SplinePtr> splines_; // by directory entry; null for entries without a spline
+    std::vector<bool> is_part_;      // part of the spline of another entry
 };
 
 } // namespace

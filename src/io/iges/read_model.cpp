@@ -87,7 +87,8 @@ private:
         }
     }
 
-    // Which shapes are parts of others is known once all have been read. What is wrong with one is told where it is needed.
+    // Reads all shapes, because which of them are parts of others is known only after that. Errors are
+    // reported where the shape is needed.
     void read_shapes() {
         for (const Entry &entry : directory_.entries()) {
             try {
@@ -140,7 +141,7 @@ private:
         model_.splines.push_back({geometry_.name(entry.line), iges::spline_of(piece), levels_.of(entry)});
     }
 
-    // Those that could not be read have been told.
+    // Faces that could not be read have been reported already.
     void read_face(const Entry &entry) {
         if (const auto trimmed = topology_.trimmed.find(entry.line); trimmed != topology_.trimmed.end()) {
             add_face(entry, trimmed_surface(trimmed->second));
@@ -151,7 +152,7 @@ private:
             add_face(entry, face_of_shell(face->second));
         }
     }
-    // What its spline takes is spent before that is made.
+    // Counts the size of the spline of a surface towards the limits before it is made.
     iges::Surface surface_at(int64_t pointer) {
         iges::Surface surface = geometry_.surface(pointer);
         entities_.spend(iges::Entities::size_of_a_shape + iges::size_of(*surface.shape));
@@ -184,14 +185,14 @@ private:
         std::vector<LoopSource> loops;
         for (const int64_t pointer : face.loops) {
             LoopSource loop = reader.loop(pointer, edges_);
-            if (!loop.edges.empty() || !loop.curves.empty()) { // not a pole alone
+            if (!loop.edges.empty() || !loop.curves.empty()) { // not just a pole
                 loops.push_back(std::move(loop));
             }
         }
         const bool whole = loops.empty();
         return iges::make_source(geometry_, surface, std::move(loops), whole, reader.poles());
     }
-    // A surface alone, over all of its domain; a plane has a curve that bounds it.
+    // A surface on its own, over its whole domain; a plane has a curve that bounds it.
     FaceSource untrimmed(const Entry &entry) {
         const iges::Surface surface = surface_at(entry.line);
         if (surface.hole) {
@@ -207,13 +208,14 @@ private:
         return iges::make_source(geometry_, surface, std::move(loops), surface.boundary == 0, {});
     }
 
-    // How the loops of a face are taken.
+    // How the loops of a face are interpreted.
     struct Way {
-        bool second;    // by the rule against the preference of the file
-        bool keep_gaps; // closed by segments in the domain
+        bool second;    // by the curves that the file does not prefer
+        bool keep_gaps; // gaps are closed by segments in the domain
         const char *told;
     };
-    // As the file wants it; else by the other rule, if it has both kinds of curves; else with gaps closed. The first error counts.
+    // Tries the curves that the file prefers; else the others, if it has both kinds; else closes gaps. The
+    // first error is reported.
     void add_face(const Entry &entry, const FaceSource &source) {
         static constexpr Way ways[] = {{false, false, ""},
                                        {true, false, "the curves are taken that the file does not prefer: "},
@@ -279,7 +281,8 @@ private:
         return name != topology_.names.end() ? name->second : geometry_.name(entry.line);
     }
 
-    // The shell and the solid around a face, whether its normal is turned in them, and whether the shell is a void.
+    // The shell or the solid around a face or a shell, whether it reverses the normal, and whether the shell
+    // is a void.
     struct Around {
         int64_t owner = 0;
         bool against = false;
@@ -314,7 +317,7 @@ private:
             }
         }
     }
-    // What a face has itself, or else its shell, or its solid.
+    // A property of a face itself, or else of its shell, or of its solid.
     template <class Get>
     auto around_face(const Entry &entry, const Get &get) -> decltype(get(entry)) {
         const Entry *at = &entry;

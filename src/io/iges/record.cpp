@@ -11,7 +11,7 @@
 
 namespace nrb::io::iges {
 
-constexpr int64_t work_of_a_parameter = 200; // which is scanned twice, and becomes a number
+constexpr int64_t work_of_a_parameter = 200; // it is scanned twice, and converted
 
 // One pass counts the parameters, so that counts stated inside an entity can be checked before anything is
 // allocated.
@@ -39,7 +39,7 @@ size_t Record::skip_blanks(size_t at) const noexcept {
 // Leaves `at` on the delimiter that ends the parameter.
 Record::Parameter Record::scan(size_t &at) const {
     at = skip_blanks(at);
-    size_t digits_end = at; // find_first_not_of() would look each character up
+    size_t digits_end = at; // find_first_not_of() would be slower
     while (digits_end < text_.size() && text_[digits_end] >= '0' && text_[digits_end] <= '9') {
         ++digits_end;
     }
@@ -91,9 +91,9 @@ void Record::fail_value(const Parameter &parameter, const char *what, int64_t in
 
 namespace {
 
-// Some programs write integers as reals, "3.".
+// Some programs write integers as reals: "3.".
 bool parse_whole(std::string_view text, int64_t &value) {
-    constexpr double limit = 1e15; // every whole number below this has a double of its own
+    constexpr double limit = 1e15; // below this, every integer is exact as a double
     double real = 0;
     if (!parse_real(text, real) || std::abs(real) > limit || real != std::trunc(real)) {
         return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Free-format data of IGES: parameters between delimiters, read one after the other.
+// Free-format parameter data of IGES: parameters between delimiters, read one after the other.
 #pragma once
 
 #include <cstdint>
@@ -8,27 +8,27 @@
 
 namespace nrb::io::iges {
 
-// Set by the global section.
+// Defined in the global section.
 struct Delimiters {
     char parameter = ',';
     char record = ';';
 };
 
-// One record, owned: the text up to its record delimiter. Blanks around parameters do not count; inside a
-// Hollerith string (5Hab, c) delimiters and blanks are text.
+// One record: the text up to its record delimiter, which it owns. Blanks around parameters are ignored;
+// inside a Hollerith string (5Hab, c) delimiters and blanks are text.
 class Record {
 public:
-    // Throws Status::syntax if a string is longer than the text or the record delimiter is missing. What
+    // Throws Status::syntax if a string is longer than the text, or if the record delimiter is missing. What
     // follows the record delimiter is a comment.
     Record(std::string text, Delimiters delimiters);
 
-    // Parameters not read yet, blank ones included.
+    // Number of parameters not read yet, including blank ones.
     [[nodiscard]] int64_t remaining() const noexcept { return count_ - taken_; }
-    // Characters of all of it.
+    // Number of characters of the text.
     [[nodiscard]] int64_t length() const noexcept { return static_cast<int64_t>(text_.size()); }
 
-    // The next parameter. A blank one, and one after the end of the record, has its default: 0, 0.0 or the
-    // empty string. Throws Status::syntax naming `what` [`index`], the place in the record and the text.
+    // The next parameter. A blank one, and any after the end of the record, has its default: 0, 0.0 or the
+    // empty string. Throws Status::syntax naming `what` [`index`], the position in the record and the text.
     int64_t integer(const char *what, int64_t index = -1);
     double real(const char *what, int64_t index = -1);
     std::string_view string(const char *what);

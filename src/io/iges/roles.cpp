@@ -39,7 +39,7 @@ private:
         }
     }
 
-    // These entities are notes in any case, so that errors in them need no report of their own.
+    // These entities become notes in any case, so that errors in them need no report here.
     void read_entry(size_t index, Reader reader) {
         const Entry &entry = directory_.entries()[index];
         if (!entry.damage.empty()) {
@@ -53,7 +53,7 @@ private:
         }
     }
 
-    // Each entry is marked once, so that cycles of composite curves end.
+    // Each entry is marked at most once, so that cycles of composite curves end.
     void mark(int64_t pointer) {
         const std::optional<size_t> index = directory_.find(pointer);
         if (!index || marked_[*index]) {
@@ -73,7 +73,7 @@ private:
     }
 
     // Type, preference, surface, number of curves; for each: curve in space, sense, number of parameter-plane
-    // curves, those.
+    // curves, their pointers.
     void read_boundary(Record &record) {
         record.skip(3);
         for (int64_t curves = record.integer("number of curves"); curves > 0 && record.remaining() > 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which curves live in the parameter plane of a surface.
+// Finds the curves that lie in the parameter plane of a surface.
 #pragma once
 
 #include "io/iges/directory.h"
@@ -8,9 +8,9 @@
 
 namespace nrb::io::iges {
 
-// One flag for each directory entry. It is set by the entry's own status digits, or because a curve on a
-// surface (142), a boundary (141) or a composite curve (102) in a parameter plane names it. An entity that
-// cannot be read marks nothing.
+// One flag for each directory entry. It is set by the status digits of the entry itself, or because a curve
+// on a surface (142), a boundary (141) or a composite curve (102) in a parameter plane refers to it. An
+// entity that cannot be read marks nothing.
 std::vector<bool> find_parameter_plane_curves(const Directory &directory, ParameterData &data);
 
 } // namespace nrb::io::iges

@@ -54,7 +54,7 @@ void Source::add_note(int64_t pointer, Status reason, std::string text) {
     model_.notes.push_back({type, pointer, reason, std::move(text)});
 }
 
-// Which ones have become part of something is known only at the end.
+// Which entities have been used is known only at the end.
 bool Source::used(const model::Note &note) const noexcept {
     const std::optional<size_t> index = directory_.find(note.line);
     return index && (transforms_.used(*index) || names_.used(*index));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file as its readers see it: directory, names, shapes within limits, and notes.
+// What the readers of a file share: directory, names, shapes within limits, and notes.
 #pragma once
 
 #include "base/watch.h"
@@ -16,14 +16,14 @@ namespace nrb::io::iges {
 
 class Source {
 public:
-    // Throws Status::options for a unit that cannot be reached. The sections must outlive this.
+    // Throws Status::options for a unit that cannot be converted to. The sections must outlive this object.
     Source(std::span<const char> bytes, const Sections &sections, const Global &global,
            const ReadSettings &settings);
     Source(const Source &) = delete;
     Source &operator=(const Source &) = delete;
 
 protected:
-    // Calls read(entry) for the entries that are wanted and not damaged; what it throws becomes a note.
+    // Calls read(entry) for the wanted entries that are not damaged; errors it throws become notes.
     template <class Wants, class Read>
     void read_all(Wants &&wants, Read &&read) {
         Steps steps(std::ssize(directory_.entries()));
@@ -44,16 +44,16 @@ protected:
         return static_cast<size_t>(&entry - directory_.entries().data());
     }
 
-    // With the label of the entity before the text.
+    // Adds a note, with the label of the entity before the text.
     void tell(const Entry &entry, Status reason, const std::string &text);
-    // How far a spline is from an offset surface, unless that is 0.
+    // Adds a note on the distance of a spline from an offset surface, unless that is 0.
     void tell_approximation(const Entry &entry, double distance);
-    // The same, unless the message begins with it.
+    // Adds a note on an error, with the label unless the message begins with it.
     void note_error(const Entry &entry, const Error &error);
-    // The text begins with the label.
+    // Adds a note whose text begins with the label.
     void add_note(int64_t pointer, Status reason, std::string text);
-    // The model with its notes in the order of the directory, and those on shapes that could not be made exactly; without those on
-    // matrices and names that have become part of something.
+    // The model with its notes in the order of the directory. Includes notes on shapes that could not be made
+    // exactly; excludes those on matrices and names that have been used.
     model::Model finished();
 
     Directory directory_;
@@ -66,7 +66,7 @@ protected:
     ReadSettings settings_;
 
 private:
-    static constexpr int64_t work_of_an_entity = 1000; // beyond what its parameters count
+    static constexpr int64_t work_of_an_entity = 1000; // beyond what is counted for its parameters
     static void check(const Entry &entry);
     [[nodiscard]] bool used(const model::Note &note) const noexcept;
 };

@@ -14,8 +14,8 @@ bool digit(char c) noexcept {
     return c >= '0' && c <= '9';
 }
 
-// std::from_chars accepts no plus sign, but it accepts "inf", "nan", and a minus sign after our plus. So only
-// a digit or a point may come first.
+// std::from_chars accepts no plus sign, but it accepts "inf", "nan", and a minus sign after the sign taken
+// here. So the callers require a digit or a point next.
 bool take_sign(std::string_view &text) noexcept {
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) {
@@ -24,8 +24,8 @@ bool take_sign(std::string_view &text) noexcept {
     return negative;
 }
 
-// Decimal exponent of the leading digit of a number that std::from_chars found out of range; clipped to
-// +-10^9.
+// The decimal exponent of the leading digit of a number that std::from_chars found to be out of range; the
+// exponent part is clamped to +-10^9.
 int64_t magnitude(std::string_view mantissa, int64_t exponent) noexcept {
     const size_t point = std::min(mantissa.find('.'), mantissa.size());
     const size_t leading = mantissa.find_first_of("123456789");
@@ -37,7 +37,7 @@ int64_t magnitude(std::string_view mantissa, int64_t exponent) noexcept {
     return place + std::clamp<int64_t>(exponent, -1'000'000'000, 1'000'000'000);
 }
 
-// Whether an out-of-range number lies below the smallest double, not above the largest.
+// Whether an out-of-range number is below the smallest double, rather than above the largest.
 bool underflows(std::string_view number) noexcept {
     const size_t mark = std::min(number.find_first_of("eE"), number.size());
     int64_t exponent = 0;
@@ -64,7 +64,7 @@ bool parse_unsigned_real(std::string_view number, double &value) noexcept {
     return std::isfinite(value);
 }
 
-// Where the exponent of a number in double precision begins, or its end. find_first_of() would look each character up.
+// The position of the exponent mark D, or the end of the number. find_first_of() would be slower.
 size_t mark_of_d(std::string_view number) noexcept {
     return static_cast<size_t>(std::ranges::find_if(number, [](char c) { return c == 'D' || c == 'd'; }) -
                                number.begin());
@@ -82,7 +82,7 @@ bool parse_with_e(std::string_view number, size_t mark, double &value) {
     return parse_unsigned_real({usual.data(), number.size()}, value);
 }
 
-// Whether char is signed depends on the machine.
+// Whether char is signed depends on the platform.
 bool control(char c) noexcept {
     return static_cast<unsigned char>(c) < ' ' || c == '\x7f';
 }

@@ -40,7 +40,7 @@ Transform compose(const Transform &outer, const Transform &inner) noexcept {
     return result;
 }
 
-// Follows the pointers to the end of the chain, or to a matrix that is known already, whose value goes to
+// Follows the pointers to the end of the chain, or to a matrix that is already resolved, whose value goes to
 // `end`.
 std::vector<size_t> Transforms::unresolved_chain(int64_t pointer, Resolved &end) {
     std::vector<size_t> chain;

@@ -22,26 +22,28 @@ struct Transform {
 // x -> outer(inner(x)).
 Transform compose(const Transform &outer, const Transform &inner) noexcept;
 
-// Resolves pointers to matrices, which may themselves point to matrices that apply after them. Each matrix is
-// read once.
+// Resolves pointers to matrices, which may themselves point to matrices that are applied after them. Each
+// matrix is read once.
 class Transforms {
 public:
     Transforms(const Directory &directory, ParameterData &data) : directory_(directory), data_(data) {}
 
-    // The whole chain that starts at `pointer`. Throws Status::syntax if a link is missing, is not a matrix,
-    // cannot be read, or closes a cycle.
+    // The composition of the whole chain that starts at `pointer`. Throws Status::syntax if a link is
+    // missing, is not a matrix, cannot be read, or closes a cycle.
     const Transform &resolve(int64_t pointer);
 
-    // The same for a matrix that nothing needs to use. Throws Status::cycle for one that is in a cycle or leads to one.
+    // Checks the chain of a matrix that nothing uses. Throws as resolve(), but Status::cycle for a matrix
+    // that is in a cycle or leads to one.
     void check(int64_t pointer);
 
-    // Whether the matrix of a directory entry has been part of a chain that resolve() was asked for, and could be resolved.
+    // Whether the matrix at a directory entry was part of a chain that resolve() was called for, and could be
+    // resolved.
     [[nodiscard]] bool used(size_t index) const noexcept;
 
 private:
     struct Resolved {
         Transform transform;
-        std::string damage; // empty: good
+        std::string damage; // empty: valid
         Status reason = Status::syntax;
     };
     Resolved value_of(int64_t pointer);
@@ -51,7 +53,7 @@ private:
     const Directory &directory_;
     ParameterData &data_;
     std::map<size_t, Resolved> resolved_; // by index of the directory entry
-    std::set<size_t> asked_;              // those of chains that resolve() was asked for
+    std::set<size_t> asked_;              // those in chains that resolve() was called for
 };
 
 } // namespace nrb::io::iges

@@ -11,7 +11,7 @@ namespace nrb::inline numeric {
 
 namespace {
 
-constexpr int64_t work_of_a_rotation = 60; // its angle
+constexpr int64_t work_of_a_rotation = 60; // computing its angle
 
 } // namespace
 
@@ -21,7 +21,7 @@ BandedLeastSquares::BandedLeastSquares(int64_t columns, int bandwidth, int borde
     grow_watched(rows_, static_cast<size_t>(checked_product(columns, stride_, "least squares")));
 }
 
-// Turns the fresh row and a row of the factor so that entry `at` of the fresh one vanishes; entries before
+// Rotates the fresh row and a row of the factor so that entry `at` of the fresh row vanishes; entries before
 // `from` are zero in both.
 void BandedLeastSquares::rotate(double *pivot, int64_t at, int64_t from) noexcept {
     double *fresh = fresh_.data();
@@ -66,7 +66,7 @@ void BandedLeastSquares::add_row(int64_t first, std::span<const double> band, st
     for (int64_t i = first; i < banded_ && std::any_of(fresh_.begin(), end, [](double x) { return x != 0; });
          ++i) {
         rotate(row(i), 0, 0);
-        std::shift_left(fresh_.begin(), end, 1); // the next row's diagonal comes first
+        std::shift_left(fresh_.begin(), end, 1); // the diagonal of the next row comes first
         if (bandwidth_ > 0) {
             fresh_[static_cast<size_t>(bandwidth_) - 1] = 0;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Linear equations with a symmetric positive matrix of which only products are known (M. Hestenes, E.
-// Stiefel, J. Res. NBS 49 (1952)).
+// The conjugate gradient method for linear equations with a symmetric positive definite matrix that is known
+// only through products (M. Hestenes, E. Stiefel, J. Res. NBS 49 (1952)).
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,10 @@
 
 namespace nrb::inline numeric {
 
-// z with A z = b to 1e-6 of b, or what `most` products bring it to: as many as A has distinct eigenvalues are
-// enough. 0 if there is a direction p with p.A p <= least p.p. `precondition` turns a vector into about its product with the
-// inverse of A: the closer, the fewer products.
+// Returns z with A z = b to 1e-6 of |b|, or what `most` products with A yield; in exact arithmetic as many
+// products as A has distinct eigenvalues are enough. Returns 0 if a search direction p has p.A p <= least
+// p.p. `precondition` approximates the product of a vector with the inverse of A: the better, the fewer
+// products.
 template <class Product, class Precondition>
 std::vector<double> conjugate_gradients(Product &&product, std::vector<double> b, double least, int most,
                                         Precondition &&precondition) {

@@ -14,7 +14,7 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-// The finite points, at most 1 large.
+// The finite points, scaled so that no coordinate exceeds 1.
 std::vector<Vector> scaled_points(const std::vector<double> &points, int dim) {
     const double largest = largest_magnitude(points);
     const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
@@ -37,7 +37,7 @@ Matrix covariance(const std::vector<Vector> &points, int dim) {
     for (const Vector &x : points) {
         spread = std::max(spread, (x - mean).cwiseAbs().maxCoeff());
     }
-    const int exponent = spread > 0 ? std::ilogb(spread) : 0; // so that small squares do not vanish
+    const int exponent = spread > 0 ? std::ilogb(spread) : 0; // so that small squares do not underflow
     Matrix sum = Matrix::Zero(dim, dim);
     for (const Vector &x : points) {
         const Vector d = (x - mean).unaryExpr([exponent](double c) { return std::ldexp(c, -exponent); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cholesky's factorisation of matrices of a few rows, on the stack.
+// Cholesky factorisation of matrices of a few rows, on the stack.
 #pragma once
 
 #include <array>
@@ -14,8 +14,9 @@ public:
     using Vector = std::array<double, N>;
     using Matrix = std::array<Vector, N>;
 
-    // Of the first n rows and columns, whose lower half is read. False unless every pivot is more than
-    // `least` times the diagonal element that it is left of: then the matrix may not be positive definite.
+    // Factorises the leading n x n block, of which only the lower triangle is read. False unless every pivot
+    // exceeds `least` times the diagonal element it is reduced from: otherwise the matrix may not be positive
+    // definite.
     [[nodiscard]] bool factorise(const Matrix &a, int n, double least) noexcept {
         n_ = static_cast<size_t>(n);
         for (size_t i = 0; i < n_; ++i) {
@@ -31,7 +32,7 @@ public:
         return true;
     }
 
-    // L^-1 x for a = L L^T.
+    // x becomes L^-1 x, where a = L L^T.
     void solve_lower(Vector &x) const noexcept {
         for (size_t i = 0; i < n_; ++i) {
             for (size_t j = 0; j < i; ++j) {
@@ -41,7 +42,7 @@ public:
         }
     }
 
-    // a^-1 x.
+    // x becomes a^-1 x.
     void solve(Vector &x) const noexcept {
         solve_lower(x);
         for (size_t i = n_; i-- > 0;) {
@@ -61,7 +62,7 @@ private:
         return sum;
     }
 
-    Matrix l_; // the lower half
+    Matrix l_; // the lower triangle
     size_t n_ = 0;
 };
 

@@ -18,15 +18,16 @@ std::vector<double> coordinates(const Eigen::VectorXd &x) {
 
 } // namespace
 
-// Householder's triangle first, so that Jacobi's rotations see few rows.
+// A Householder QR factorisation precedes it, so that Jacobi's rotations work on few rows.
 using Rotations = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>;
 
 struct SmallSvd::Decomposition {
     Rotations svd;
-    Eigen::VectorXd right; // in the basis of the triangle
+    Eigen::VectorXd right; // multiplied by Q^T
 };
 
-// Only finite numbers are decomposed: for others Eigen leaves sizes unset that its solutions then read.
+// Only finite numbers are decomposed: for others Eigen leaves sizes uninitialised that its solutions then
+// read.
 SmallSvd::SmallSvd(const std::vector<double> &rows, int n, const std::vector<double> &right)
     : unknowns_(static_cast<size_t>(n)) {
     const Eigen::Index given = static_cast<Eigen::Index>(rows.size()) / n,

@@ -45,7 +45,7 @@ AxisVector symmetric_eigenvalues(int n, const AxisMatrix &a) {
 }
 
 AxisMatrix inverse_of_positive_part(int n, const AxisMatrix &a) {
-    if (n <= 1) { // as for every curve
+    if (n <= 1) { // the case of every curve
         AxisMatrix result{};
         result[0][0] = n == 1 ? 1 / (1 + std::max(a[0][0], 0.0)) : 0;
         return result;

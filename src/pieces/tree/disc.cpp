@@ -18,9 +18,9 @@ void cross_product(const double *a, const double *b, double *out) noexcept {
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-// visit(point, weight, moved) for the homogeneous control points, where `moved` is what rounding may have made
-// of them by their weights; false if some are not bounded. Where it is relative to the weights, control points
-// of weight 0 do not count.
+// Calls visit(point, weight, moved) for the homogeneous control points, where `moved` bounds the effect of
+// absolute rounding errors; false if some points are not bounded. Where the errors are relative to the
+// weights, control points of weight 0 do not count.
 template <class Visit>
 bool for_points(const PieceGrid &pieces, const double *patch, Visit &&visit) noexcept {
     const PatchShape &shape = pieces.shape();
@@ -70,7 +70,7 @@ void Disc::set_normal(const PatchShape &shape, const double *jet) noexcept {
     }
 }
 
-// The normal is made shorter first, so that it is not longer than 1 afterwards.
+// The normal is shortened first, so that rounding does not make it longer than 1.
 void Disc::make_single() noexcept {
     for (double &x : centre) {
         x = static_cast<float>(x);
@@ -80,7 +80,7 @@ void Disc::make_single() noexcept {
     }
 }
 
-// The difference that the radius is the root of may cancel; what it loses is given back.
+// The difference under the square root may cancel; a term that bounds the loss is added back.
 void Disc::add_point(int dim, const double *point, double weight, double moved) noexcept {
     double square = 0, height = 0;
     for (int c = 0; c < dim; ++c) {

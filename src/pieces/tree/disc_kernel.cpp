@@ -72,9 +72,9 @@ struct ByteColumns {
     [[nodiscard]] HWY_INLINE auto high(int64_t i) const { return scaled(dim + 2, i, double{frame[dim + 2]}); }
 };
 
-// The distance of x from all points p of a disc: |n (p - x)| >= the distance of the heights, and across n it
-// is at least |x - c| across n less the radius. The root of a difference that cancels is taken of less than
-// it.
+// The distance of x from all points p of a disc. Along n it is at least the distance of the heights; across
+// n, the length of x - c less the radius. The root of a difference that cancels is taken of a lower (or
+// upper) bound of it.
 template <bool kNormals, bool kFarthest, class Columns>
 HWY_INLINE void bound_all(const Columns &family, int64_t width, int dim, const double *HWY_RESTRICT x,
                           const DiscBounds &out) {

@@ -25,9 +25,9 @@ FramedPieces::FramedPieces(const PieceTree &tree, const Frame &frame)
     set_rounding();
 }
 
-// A 2^exponent + w shift has one rounding more in w shift, in the sum and in the shift itself. Where errors
-// are not relative to the weights, which are below 2, that of w counts by the shift; that of a record is at
-// least eps times the largest one.
+// A 2^exponent + w shift has one more rounding in w shift, in the sum and in the shift itself. Where errors
+// are not relative to the weights, which are below 2, the error of w is multiplied by the shift; that of a
+// record is at least eps times the largest record.
 void FramedPieces::set_rounding() noexcept {
     const PieceGrid &grid = tree_.grid();
     const Rounding &own = grid.rounding();
@@ -65,12 +65,12 @@ void FramedPieces::move(double *box) const noexcept {
 BezierPiece FramedPieces::piece(int64_t index) const {
     const PieceGrid &grid = tree_.grid();
     const auto size = static_cast<size_t>(grid.shape().values());
-    std::array<double, 256> local; // enough for most pieces: they are made many at a time
+    std::array<double, 256> local; // enough for most pieces; many are computed at a time
     std::vector<double> large(2 * size <= local.size() ? 0 : 2 * size), values;
     double *const patch = large.empty() ? local.data() : large.data();
     grid.patch(index, patch + size, patch);
     values.reserve(
-        static_cast<size_t>(2 * shape_.values() + 2 * dim())); // for the control points and the box, too
+        static_cast<size_t>(2 * shape_.values() + 2 * dim())); // also for the control points and the box
     for (const double *record = patch; record < patch + size; record += grid.shape().lanes) {
         const double w = record[dim()];
         for (int c = 0; c < dim(); ++c) {

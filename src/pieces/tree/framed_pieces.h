@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tree of pieces of a spline as it is seen in another frame, which several splines have in common.
+// The piece tree of a spline seen in another frame, which several splines share.
 #pragma once
 
 #include "pieces/bezier_piece.h"
@@ -7,8 +7,8 @@
 
 namespace nrb::pieces {
 
-// A point x of the tree is x 2^exponent + shift in the frame. What the change of frame rounds is in the
-// boxes, and in the rounding of the pieces.
+// A point x of the tree is x 2^exponent + shift in the frame. The rounding of the change of frame is included
+// in the boxes, and in the rounding of the pieces.
 class FramedPieces {
 public:
     FramedPieces(const PieceTree &tree, const Frame &frame);
@@ -19,7 +19,7 @@ public:
     void box(int level, int64_t node, double *out) const;
     void disc_box(int level, int64_t node, int64_t i, double *out) const noexcept;
     [[nodiscard]] BezierPiece piece(int64_t index) const;
-    // moved() of every piece is at most this, if errors are relative to the weights; otherwise 0.
+    // An upper bound of moved() over all pieces, if errors are relative to the weights; otherwise 0.
     [[nodiscard]] double moved() const noexcept { return moved_; }
 
 private:
@@ -29,7 +29,7 @@ private:
     const PieceTree &tree_;
     int exponent_;
     std::vector<double> shift_;
-    BernsteinShape shape_; // of a piece, (A, w)
+    BernsteinShape shape_; // of a piece, with the weight: (A, w)
     Rounding rounding_;
     double moved_ = 0;
 };

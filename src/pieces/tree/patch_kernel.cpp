@@ -114,7 +114,7 @@ void gather(const NetPart &net, int n, const double *matrix, double *HWY_RESTRIC
     }
 }
 
-// Sums of the products of coefficients, coordinate by coordinate, in work; every pair once.
+// Sums of the products of coefficients, coordinate by coordinate; each pair is taken once.
 template <int kVectors>
 HWY_INLINE void add_products(const PatchShape &shape, const SquareTables &tables, const double *scaled,
                              double *sums) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bezier patches as the search for nearest points works on them: homogeneous coefficients of the axes that
-// have a degree.
+// The shape of Bezier patches in searches for nearest points: homogeneous coefficients along the axes of
+// degree > 0.
 #pragma once
 
 #include "bernstein/products.h"
@@ -10,13 +10,13 @@
 
 namespace nrb::pieces {
 
-// Most coefficients of patches whose squares are worth their cost.
+// Patches with more coefficients are not squared: it is not worth its cost.
 inline constexpr int64_t most_squared = 1024;
 
-// Coefficients [0, coefficients) of `lanes` doubles, last axis fastest: (x, y, ..., w, 0, ...), lanes a
-// multiple of 4. A polynomial patch has w = 1.
+// Coefficients [0, coefficients) of `lanes` doubles, last axis fastest: (x, y, ..., w, 0, ...), where lanes
+// is a multiple of 4. A polynomial patch has w = 1.
 struct PatchShape {
-    int axes = 0; // those of a degree > 0
+    int axes = 0; // number of axes of degree > 0
     std::array<int, max_axes> degrees{};
     int dim = 0;
     int lanes = 0;
@@ -30,7 +30,7 @@ struct PatchShape {
         return count;
     }
     [[nodiscard]] int64_t values() const noexcept { return coefficients() * lanes; }
-    // Coefficients of products of two such polynomials.
+    // Number of coefficients of products of two such polynomials.
     [[nodiscard]] int64_t products() const noexcept {
         int64_t count = 1;
         for (int k = 0; k < axes; ++k) {
@@ -41,7 +41,7 @@ struct PatchShape {
     [[nodiscard]] int degree(int k) const noexcept { return degrees[static_cast<size_t>(k)]; }
 };
 
-// Numbers for each axis.
+// One number for each axis.
 using AxisValues = std::array<double, max_axes>;
 
 } // namespace nrb::pieces

@@ -6,9 +6,9 @@
 
 namespace nrb::pieces {
 
-// Factors and the quotient by binomials are rounded twice each, then there is a rounding for every term, of
-// which there are (coefficients + 2) / 2 at most, since each pair of them is taken once, and one for each
-// coordinate; the difference with a multiple of w^2 takes two more.
+// The factors, and the quotient by the binomials, are rounded twice each. Then there is one rounding for
+// every term, at most (coefficients + 2) / 2 of them, since each pair is taken once, and one for each
+// coordinate; subtracting a multiple of w^2 takes two more.
 PatchSquares::PatchSquares(const PatchShape &shape) {
     BernsteinShape once{{}, 1};
     std::copy_n(shape.degrees.begin(), shape.axes, once.degrees.begin());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables for squares of patches of one shape.
+// The tables for squaring patches of one shape.
 #pragma once
 
 #include "pieces/tree/patch_kernel.h"
@@ -15,7 +15,7 @@ public:
     [[nodiscard]] SquareTables tables() const noexcept {
         return {binomials_.data(), inverses_.data(), offsets_.data()};
     }
-    // Of a coefficient of |Q|^2, relative to the sum of the magnitudes of what it is the sum of.
+    // Error of a coefficient of |Q|^2, relative to the sum of the magnitudes of its terms.
     [[nodiscard]] double error() const noexcept { return error_; }
 
 private:

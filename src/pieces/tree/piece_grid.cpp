@@ -74,13 +74,13 @@ void PieceGrid::set_extraction(const Spline &spline) {
         for (int64_t r = 0; r < rows.rows(); ++r) {
             const LayerTable::Row &row = rows.row(r);
             double *out = extraction_[at].data() + r * n + row.first - first_[at][static_cast<size_t>(r / n)];
-            *out = 1; // of a copy
+            *out = 1; // for rows that copy a layer
             std::copy_n(rows.coefficients(row), row.size, out);
         }
     }
 }
 
-// Axes without a degree have one layer for each piece.
+// Axes of degree 0 have one layer for each piece.
 NetPart PieceGrid::records_of(const Index &spans) const noexcept {
     Index first{};
     for (size_t k = 0; k < static_cast<size_t>(axes_); ++k) {
@@ -96,7 +96,7 @@ NetPart PieceGrid::records_of(const Index &spans) const noexcept {
     return net;
 }
 
-// The same sums as in a BernsteinNet, with no more roundings.
+// Computes the same sums as a BernsteinNet, with no more roundings.
 void PieceGrid::patch(int64_t i, double *work, double *out) const noexcept {
     const Index spans = index(i);
     const NetPart records = records_of(spans);
@@ -111,7 +111,7 @@ void PieceGrid::patch(int64_t i, double *work, double *out) const noexcept {
         k == 0 ? apply_to_part(records, n, matrix, to) : apply_matrix(shape_, k, matrix, from, to);
         std::swap(from, to);
     }
-    if (out[shape_.dim] < 0) { // of one sign they may be > 0 as well
+    if (out[shape_.dim] < 0) { // if the weights have one sign, they may as well be positive
         std::for_each_n(out, shape_.values(), [](double &x) { x = 0.0 - x; });
     }
 }
@@ -120,7 +120,7 @@ void PieceGrid::copy(const Spline &spline) {
     BezierNet net(spline, {frame_.centre, 0});
     const double largest = largest_magnitude(net.sizes());
     const bool overflows =
-        !std::isfinite(largest) && spline.form() != Form::homogeneous; // norms, no coordinates
+        !std::isfinite(largest) && spline.form() != Form::homogeneous; // norms overflow, not coordinates
     frame_.exponent = overflows ? std::numeric_limits<double>::max_exponent : exponent_of(largest);
     net.rescale(frame_.exponent);
     const CentredRecords &records = net.records();
@@ -135,13 +135,14 @@ void PieceGrid::copy(const Spline &spline) {
     }
     positive_ = net.positive();
     set_sizes(spline.effective(), net.sizes());
-    // Homogeneous records are accurate to the magnitudes of points and centre, not of their difference.
+    // Homogeneous records are accurate relative to the magnitudes of points and centre, not to their
+    // difference.
     const bool centred = spline.form() != Form::homogeneous;
     rounding_ = net.rounding_of_all(centred ? radius_ : frame_.scaled(largest));
 }
 
-// The radius is that of the control points; where they have no places for certain, that of what the net's
-// errors are relative to.
+// The radius is that of the control points; where their positions are not certain, it is the size to which
+// the errors of the net are relative.
 void PieceGrid::set_sizes(const Spline &spline, const std::vector<double> &sizes) {
     double smallest = infinity, largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {

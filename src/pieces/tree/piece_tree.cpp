@@ -12,7 +12,7 @@
 
 namespace nrb::pieces {
 
-// Grids of nodes, each of the blocks of the finer one, from the root down.
+// Builds the grids of nodes, in which each node is a block of the finer grid, from the root down.
 class PieceTree::Builder {
 public:
     explicit Builder(PieceTree &tree) : tree_(tree), pieces_(tree.grid_) {}
@@ -30,9 +30,9 @@ public:
     }
 
 private:
-    static constexpr int64_t work_of_a_value = 8; // a piece is computed, and its values are measured
+    static constexpr int64_t work_of_a_value = 8; // computing a piece, and measuring its values
 
-    // The number of nodes along each axis, and of the pieces in each of them; root first.
+    // Sets the number of nodes along each axis, and of the pieces in each node; root first.
     void set_grids() {
         std::vector<PieceGrid::Index> &grids = tree_.grids_;
         PieceGrid::Index grid{1, 1, 1}, block{1, 1, 1};
@@ -105,7 +105,7 @@ private:
         return made;
     }
 
-    // All coefficients of the pieces in a node, about the middle of one in its midst.
+    // The disc of all coefficients of the pieces in a node, about the middle of a piece in its centre.
     Disc group(const PieceGrid::Index &node, const PieceGrid::Index &block) {
         Extent inside{{}, {1, 1, 1}};
         PieceGrid::Index middle{};
@@ -161,8 +161,9 @@ void PieceTree::bound(int level, int64_t node, const double *x, bool farthest,
                 farthest, out);
 }
 
-// A point c + v has v = (n v) n + M M v with M^2 = I - n n^T, where n v is a height and |M v| at most the
-// radius, and row i of M has the length (1 - n_i^2)^(1/2). All this is rounded by few eps of its terms.
+// For a point c + v, v = (n . v) n + M M v with M^2 = I - n n^T, where n . v is a height, |M v| is at most
+// the radius, and row i of M has the length (1 - n_i^2)^(1/2). All this has rounding errors of a few eps of
+// its terms.
 void PieceTree::disc_box(int level, int64_t node, int64_t i, double *out) const noexcept {
     const Family children = family(level, node);
     const int dim = grid_.shape().dim;
@@ -185,7 +186,7 @@ void PieceTree::disc_box(int level, int64_t node, int64_t i, double *out) const 
     }
 }
 
-// Of the control points of pieces, or of the boxes of the next level.
+// Encloses the control points of pieces, or the boxes of the next level.
 void PieceTree::enclose_children(int level, int64_t node, const Boxes &boxes, double *out) const {
     const auto dim = static_cast<size_t>(grid_.shape().dim);
     std::fill_n(out, dim, infinity);

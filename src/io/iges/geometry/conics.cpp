@@ -17,7 +17,7 @@ using model::CurvePiece;
 using model::CurveShape;
 using recognize::ConicAxes;
 
-// Ends that are nearer than this times the size of the curve are one point.
+// End points closer than this times the size of the curve count as equal.
 constexpr double same_point = 1e-9;
 
 struct Point2 {
@@ -47,14 +47,14 @@ CurveShape in_frame(const PlaneConic &conic, build::Placement frame, double scal
     return {conic.kind, frame, {scale * conic.sizes[0], scale * conic.sizes[1]}, nullptr, {}};
 }
 
-// In the definition space.
+// The shape in the definition space.
 CurveShape unplaced(const PlaneConic &conic) {
     const double origin[3] = {conic.origin.x, conic.origin.y, conic.z}, axis[3] = {0, 0, 1};
     const double x[3] = {conic.x.x, conic.x.y, 0};
     return in_frame(conic, build::make_placement(3, origin, axis, x, "centre"), 1);
 }
 
-// Any affine image of the piece is exact as a spline; a similar one stays what it is.
+// Any affine image is exact as a spline; a similar image keeps its kind.
 CurvePiece placed(const PlaneConic &conic, Interval range, bool forward, const Placement &place) {
     const PlaneImage image = place.plane({conic.origin.x, conic.origin.y, conic.z}, {conic.x.x, conic.x.y, 0},
                                          {-conic.x.y, conic.x.x, 0});
@@ -71,7 +71,7 @@ double angle_at(const Point2 &centre, const Point2 &point) noexcept {
     return angle < 0 ? angle + model::turn : angle;
 }
 
-// The parabola of an equation whose discriminant is 0 but for rounding: in its principal axes it has no other
+// The parabola of an equation whose discriminant is 0 up to rounding: in its principal axes it has only one
 // quadratic term.
 ConicAxes parabola_axes(const double *q) {
     const double angle = std::atan2(q[1], q[0] - q[2]) / 2 + (q[0] + q[2] < 0 ? std::atan(1) * 2 : 0);
@@ -95,8 +95,8 @@ bool nearly_parabolic(const double *q) noexcept {
     return discriminant != 0 && std::fabs(discriminant) <= 1e-6 * size * size;
 }
 
-// The axis next to that of the definition space leads, so that the parameters are those of the standard, which knows
-// only conics along the axes.
+// Puts the principal axis nearest to the x axis of the definition space first, so that the parameters are
+// those of the standard, which knows only conics along the axes.
 void lead_with_x(PlaneConic &ellipse) noexcept {
     if (std::fabs(ellipse.x.x) < std::fabs(ellipse.x.y)) {
         const double sign = ellipse.x.y > 0 ? 1 : -1;
@@ -124,7 +124,7 @@ PlaneConic conic_of(const double *coefficients, double z, int64_t form) {
     return conic;
 }
 
-// Of the two branches of a hyperbola that with the point.
+// Chooses the branch of a hyperbola that contains the point.
 void choose_branch(PlaneConic &hyperbola, const Point2 &point) noexcept {
     const double along =
         (point.x - hyperbola.origin.x) * hyperbola.x.x + (point.y - hyperbola.origin.y) * hyperbola.x.y;

@@ -54,7 +54,7 @@ CurvePiece Geometry::read_curve(Reading &reading) {
     }
 }
 
-// Points may stand between the curves, to be told apart.
+// The curves of a composite curve. Its list may contain points as well, which are skipped.
 std::vector<int64_t> Geometry::constituents(Reading &reading) {
     Record &record = reading.record;
     const int64_t count = record.integer("N");

@@ -32,7 +32,7 @@ double read_cone_angle(Record &record) {
     return radians_per_degree * value;
 }
 
-// The foot of the origin on A x + B y + C z = D.
+// The foot point of the origin on the plane A x + B y + C z = D.
 std::array<double, 3> foot(const Vector3 &normal, double d) {
     const Vector3 n = scaled_to_one(normal);
     const double factor = std::ldexp(d, -size_exponent(normal)) / dot(n, n);
@@ -57,7 +57,7 @@ Vector3 Geometry::part_direction(Reading &reading, const char *what) {
     });
 }
 
-// Any affine image of a plane is one. The standard gives it no parameters.
+// Any affine image of a plane is a plane. The standard defines no parameters for it.
 Surface Geometry::plane(Reading &reading) {
     auto &[entry, record, place, parts] = reading;
     const auto [a, b, c] = read_point(record, "coefficients");
@@ -71,7 +71,7 @@ Surface Geometry::plane(Reading &reading) {
     shape.place = build::make_placement(3, place.point({own.origin.x, own.origin.y, own.origin.z}).data(), up,
                                         along, "coefficients");
     const int64_t boundary = record.integer("boundary");
-    record.skip(4); // where a symbol of the plane is drawn, and its size
+    record.skip(4); // location and size of its display symbol
     return {std::make_shared<const SurfaceShape>(std::move(shape)),
             {},
             false,
@@ -79,8 +79,9 @@ Surface Geometry::plane(Reading &reading) {
             entry.form < 0};
 }
 
-// Form 1 has a reference direction, and parameters: angles in degrees, lengths along the axis. Those of a torus are left
-// alone: files do not agree on which of the angles comes first. A mirrored space turns angles around.
+// Form 1 has a reference direction, and hence parameters: angles in degrees, lengths along the axis. The
+// parameters of a torus are not used: files disagree on which of its angles comes first. A reflection
+// reverses the angles.
 Surface Geometry::elementary(Reading &reading) {
     auto &[entry, record, place, parts] = reading;
     const double scale = place.scale();

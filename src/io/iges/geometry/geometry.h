@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves and surfaces of a file as shapes.
+// Reads the curves and surfaces of a file as shapes.
 #pragma once
 
 #include "base/error.h"
@@ -15,8 +15,8 @@
 
 namespace nrb::io::iges {
 
-// From the parameters that the standard gives a surface to those of its shape: (scale[0] p + shift[0], scale[1] q +
-// shift[1]) with (p, q) = (u, v), or (v, u) if they are swapped.
+// Maps the parameters that the standard defines for a surface to those of its shape: (scale[0] p + shift[0],
+// scale[1] q + shift[1]) with (p, q) = (u, v), or (v, u) if swapped.
 struct ParameterMap {
     bool swapped = false;
     std::array<double, 2> scale = {1, 1};
@@ -29,40 +29,43 @@ struct Surface {
     model::SurfaceShapePtr shape;
     ParameterMap map{};
     bool parametrized =
-        true; // false: the standard gives it no parameters, and curves in its parameter plane mean nothing
-    // Of a plane (108): the closed curve that bounds it, 0 if it goes on without end, and whether that bounds a hole.
+        true; // false: the standard defines no parameters, so curves in its parameter plane mean nothing
+    // For a plane (108): the closed curve that bounds it, 0 if it is unbounded, and whether the curve bounds
+    // a hole.
     int64_t boundary = 0;
     bool hole = false;
 };
 
-// What a shape could not be made exactly of, and what is meant.
+// A shape that could not be made exactly, with an explanation.
 struct Remark {
-    int64_t pointer; // of the entity
+    int64_t pointer; // to the entity
     std::string text;
     Status reason = Status::unsupported;
 };
 
 struct Units {
-    double factor = 1; // from the unit of the file to the one that is wanted
+    double factor = 1; // from the unit of the file to the wanted unit
     double resolution =
-        0; // the least distance that the file tells from none, in the wanted unit; 0: not stated
-    bool all_digits = false; // whether the file has all digits of its numbers
+        0; // smallest distance that the file distinguishes from 0, in the wanted unit; 0: not stated
+    bool all_digits = false; // the file has all digits of its numbers
 };
 
-// Pointers are directory lines. Shapes lie where the matrices of their entities put them, and then that of the entity
-// which they are a part of, if `outer` is one; lengths are in the unit that is wanted. What goes wrong throws Error,
-// which names the entity in which it does: Status::syntax, unsupported for entities that are not read, too_large, and
-// what the builders throw.
+// Pointers are directory lines. Shapes are placed by the matrices of their entities and then by `outer`, the
+// matrix of the entity they are part of, if any; lengths are in the wanted unit. Errors name the entity in
+// which they occur: Status::syntax, unsupported for entities that are not read, too_large, and what the
+// builders throw.
 class Geometry {
 public:
     Geometry(Entities &entities, const Units &units) noexcept : entities_(entities), units_(units) {}
 
-    // A curve of space: entities 100, 102, 104, 106, 110, 112, 126, 130. Its range is that of the standard's parameters, and
-    // infinite where it has no ends.
+    // A curve in space: entities 100, 102, 104, 106, 110, 112, 126, 130. Its range is that of the parameters
+    // of the standard, infinite where the curve is unbounded.
     model::CurvePiece curve(int64_t pointer, const Transform *outer = nullptr);
-    // The same entities as curves in the parameter plane of a surface, in the parameters of its shape; not scaled.
+    // The same entities as curves in the parameter plane of a surface, in the parameters of its shape; not
+    // scaled.
     model::CurvePiece parameter_curve(int64_t pointer, const ParameterMap &map = {});
-    // The curves that composite curves (102), and those in them, consist of one after the other; any other curve alone.
+    // The curves that a composite curve (102) consists of, in order, with nested ones expanded; any other
+    // curve alone.
     std::vector<model::CurvePiece> curve_pieces(int64_t pointer, const Transform *outer = nullptr);
     std::vector<model::CurvePiece> parameter_pieces(int64_t pointer, const ParameterMap &map = {});
 
@@ -74,7 +77,7 @@ public:
 
     // The name of an entity that has been read.
     [[nodiscard]] std::string name(int64_t pointer) const;
-    // Whether an entity became part of another one's shape.
+    // Whether an entity became part of the shape of another one.
     [[nodiscard]] bool is_part(int64_t pointer) const noexcept { return is_part_.contains(pointer); }
     // What the shape of an entity that has been read consists of: curves, points, directions, surfaces.
     [[nodiscard]] std::span<const int64_t> parts(int64_t pointer) const noexcept;
@@ -84,19 +87,19 @@ public:
     [[nodiscard]] Entities &entities() const noexcept { return entities_; }
 
 private:
-    // An entity while it is read.
+    // An entity while it is being read.
     struct Reading {
         const Entry &entry;
         Record record;
         Placement place;
         std::vector<int64_t> parts{}; // pointers to what its shape consists of
 
-        // What its parts are placed with after their own matrices.
+        // The matrix that is applied to its parts after their own.
         [[nodiscard]] const Transform *outer() const noexcept {
             return place.transform ? &*place.transform : nullptr;
         }
     };
-    using Key = std::pair<int64_t, bool>; // whether in the parameter plane
+    using Key = std::pair<int64_t, bool>; // pointer, and whether the curve is in a parameter plane
 
     template <class Read>
     auto read(int64_t pointer, const char *what, const Transform *outer, bool parameter_plane, Read &&read);
@@ -128,17 +131,19 @@ private:
 
     Entities &entities_;
     Units units_;
-    std::map<Key, model::CurvePiece> curves_; // read already, with no matrix but their own
+    std::map<Key, model::CurvePiece> curves_; // those read already, with no matrix but their own
     std::map<int64_t, Surface> surfaces_;
     std::map<int64_t, std::string> names_;
-    std::map<int64_t, std::vector<int64_t>> parts_; // of those that have some
+    std::map<int64_t, std::vector<int64_t>> parts_; // of entities that have parts
     std::set<int64_t> is_part_;
     std::vector<Remark> remarks_;
-    // Entities that are not exactly what is stated, or have parts that are not; and those with a remark on that.
+    // Entities that are not exactly as stated, or have parts that are not; and those for which a remark was
+    // made.
     std::set<int64_t> approximated_, told_;
 };
 
-// What read(reading) returns; its name and its parts count once it has been read to its end.
+// Returns what read(reading) returns. Name and parts are stored only after the entity has been read
+// completely.
 template <class Read>
 auto Geometry::read(int64_t pointer, const char *what, const Transform *outer, bool parameter_plane,
                     Read &&read) {

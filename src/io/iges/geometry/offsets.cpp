@@ -15,16 +15,16 @@ namespace {
 using model::CurvePiece;
 using model::CurveShapePtr;
 
-constexpr int64_t one_distance = 1, linear_distance = 2; // the flag; 3: a function
+constexpr int64_t one_distance = 1, linear_distance = 2; // values of the flag; 3: a function
 
-// Parameters of files have so many digits.
+// The relative accuracy of parameters in files.
 constexpr double parameter_digits = 1e-9;
 
 bool about(double a, double b, Interval range) noexcept {
     return std::abs(a - b) <= parameter_digits * (range.upper - range.lower);
 }
 
-// The part that TT1 and TT2 bound, or all of the curve where they are 0 or its ends.
+// The part between TT1 and TT2, or the whole curve where they are both 0 or are its ends.
 CurvePiece part_of(CurvePiece piece, double first, double last) {
     const Interval all = piece.range;
     if ((first == 0 && last == 0) || (about(first, all.lower, all) && about(last, all.upper, all))) {
@@ -49,7 +49,7 @@ CurvePiece part_of(CurvePiece piece, double first, double last) {
     return piece;
 }
 
-// Distances that change along the curve have no place in the shapes of this library.
+// Distances that vary along the curve cannot be represented by the shapes of this library.
 void check_flag(int64_t flag) {
     if (flag == one_distance) {
         return;
@@ -61,7 +61,7 @@ void check_flag(int64_t flag) {
                                  : "expected 1, 2 or 3");
 }
 
-// V x T becomes its mirror image with the opposite sign.
+// Under a reflection, V x T becomes its mirror image with the opposite sign.
 fit::CurveOffset placed_offset(const Placement &place, double distance, const Vector3 &normal) {
     const double scale = place.scale();
     if (scale == 0) {
@@ -80,12 +80,13 @@ fit::CurveOffset placed_offset(const Placement &place, double distance, const Ve
 
 } // namespace
 
-// C + D1 V x T / |V x T| with the unit tangent T of the curve and the normal V, over the parameters of the curve from TT1 to TT2.
+// C + D1 V x T / |V x T| with the unit tangent T of the curve and the normal V, over the parameters of the
+// curve from TT1 to TT2.
 CurvePiece Geometry::offset_curve(Reading &reading) {
     Record &record = reading.record;
     const int64_t pointer = record.integer("curve");
     check_flag(record.integer("FLAG"));
-    record.skip(3); // function, coordinate of it, and what it is a function of
+    record.skip(3); // function, its coordinate, and its argument
     const double distance = record.real("D1");
     record.skip(3); // TD1, D2, TD2
     const auto [x, y, z] = read_point(record, "normal");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splines of a definition space where they lie.
+// Splines of a definition space, placed.
 #pragma once
 
 #include "io/iges/geometry/placement.h"
@@ -8,16 +8,16 @@
 
 namespace nrb::io::iges {
 
-// Of dimension 3 before, and of that of the placement afterwards.
+// The given spline has dimension 3, the result that of the placement.
 SplinePtr placed_spline(const Spline &spline, const Placement &place);
 
-// All of a curve.
+// The whole of a curve.
 model::CurvePiece whole(model::CurveShapePtr curve);
 
-// Exact, over the range of the piece. Throws what model::piece_spline() throws.
+// The spline of a piece, exact and over its range. Throws what model::piece_spline() throws.
 SplinePtr spline_of(const model::CurvePiece &piece);
 
-// Doubles that a spline of the piece may hold.
+// About how many doubles a spline of the piece may hold.
 int64_t size_of(const model::CurvePiece &piece) noexcept;
 
 } // namespace nrb::io::iges

@@ -6,7 +6,7 @@
 namespace nrb::io::iges {
 namespace {
 
-// Files state matrices in so many digits.
+// The relative accuracy of matrices in files.
 constexpr double matrix_digits = 1e-9;
 
 bool across(const Vector3 &a, const Vector3 &b) noexcept {

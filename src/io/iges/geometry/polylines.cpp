@@ -25,7 +25,7 @@ CurvePiece polyline(const std::vector<std::array<double, 3>> &corners, int dim) 
     return whole(model::curve_of_spline(build::polyline(dim, std::move(points), std::move(params))));
 }
 
-// Without ends.
+// A ray or an unbounded line.
 CurvePiece long_line(const LineEnds &ends, int dim, bool half) {
     const auto &[a, b] = ends;
     const Vector3 way = {b[0] - a[0], b[1] - a[1], dim == 3 ? b[2] - a[2] : 0};
@@ -34,8 +34,8 @@ CurvePiece long_line(const LineEnds &ends, int dim, bool half) {
     return {std::make_shared<const CurveShape>(std::move(line)), {half ? 0 : -infinity, infinity}, true};
 }
 
-// How many numbers a point of copious data has, by the interpretation flag: x and y, with one z for all; x, y and z; those
-// and a vector.
+// The number of values of a point of copious data, by the interpretation flag: x and y, with one z for all;
+// x, y and z; or x, y, z and a vector.
 int64_t numbers_of_a_point(int64_t flag) {
     if (flag < 1 || flag > 3) {
         fail(Status::syntax, "interpretation flag %lld, expected 1, 2 or 3", static_cast<long long>(flag));

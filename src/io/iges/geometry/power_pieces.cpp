@@ -17,7 +17,7 @@ namespace {
 
 using refine::PowerForm;
 
-constexpr int64_t powers = 4; // of the cubic polynomials that the entities state
+constexpr int64_t powers = 4; // of the cubic polynomials in the entities
 constexpr int64_t dim = 3;
 
 int64_t read_count(Record &record, const char *name) {
@@ -48,12 +48,13 @@ std::vector<double> read_breaks(Record &record, int64_t pieces, const char *name
     return breaks;
 }
 
-// The polynomials of a grid of pieces, each [power along axis 0][power along axis 1][dim] with all four powers.
+// The polynomials of a grid of pieces, each [power along axis 0][power along axis 1][dim] with all four
+// powers.
 class Pieces {
 public:
     Pieces(std::vector<std::vector<double>> breaks, size_t axes) : breaks_(std::move(breaks)), axes_(axes) {}
 
-    // A piece states the powers of one coordinate after the other; the first axis runs fastest.
+    // A piece lists the powers of one coordinate after the other; the first axis varies fastest.
     void read(Record &record, int64_t piece) {
         const int64_t per_coordinate = axes_ == 1 ? powers : powers * powers;
         const size_t start = coefficients_.size();
@@ -84,12 +85,12 @@ public:
     }
 
 private:
-    // Of a record along an axis; 0 along one that is not there.
+    // The power of a record along an axis; 0 along an axis that does not exist.
     [[nodiscard]] int64_t power(int64_t record, size_t axis) const noexcept {
         return axis + 1 == axes_ ? record % powers : (axis + 1 < axes_ ? record / powers % powers : 0);
     }
 
-    // The highest power with a coefficient other than 0, but at least 1.
+    // The highest power with a nonzero coefficient, but at least 1.
     [[nodiscard]] int degree(size_t axis) const noexcept {
         int64_t highest = 1;
         for (int64_t i = 0; i < std::ssize(coefficients_); ++i) {
@@ -105,7 +106,7 @@ private:
     std::vector<double> coefficients_;
 };
 
-// The largest distance between two layers of control points, coordinate by coordinate.
+// The largest distance between two adjacent layers of control points, coordinate by coordinate.
 double gap_between(const Spline &spline, const AxisView &view, int64_t layer) noexcept {
     double gap = 0;
     const double *const points = spline.points().data();
@@ -130,7 +131,8 @@ std::vector<double> without_layers(const Spline &spline, const AxisView &view,
     return kept;
 }
 
-// Under breaks of multiplicity degree + 1 both layers of ends that meet become one, that of the earlier piece.
+// Breaks have multiplicity degree + 1. Where the end layers of two pieces meet, they are merged into that of
+// the earlier piece.
 SplinePtr joined(const Spline &spline, int axis, double tolerance) {
     const KnotVector &old = spline.axis(axis);
     const AxisView view = axis_view(spline, axis, spline.dim());
@@ -152,7 +154,7 @@ SplinePtr joined(const Spline &spline, int axis, double tolerance) {
                        without_layers(spline, view, dropped));
 }
 
-// Smooth where the pieces are, to the rounding of their coefficients.
+// The spline, as smooth as its pieces are up to the rounding of their coefficients.
 SplinePtr spline_of(Pieces &pieces, const Placement &place, double tolerance) {
     SplinePtr spline = placed_spline(*refine::from_power(pieces.form(), false), place);
     const double size = bounds::extent(*spline);
@@ -177,7 +179,7 @@ SplinePtr read_spline_pieces(Record &record, const Placement &place, double tole
     return spline_of(pieces, place, tolerance);
 }
 
-// Each row of patches is followed by one, and all rows by one more, of arbitrary values.
+// The file has one more patch of arbitrary values after each row, and one more row of them at the end.
 SplinePtr read_spline_patches(Record &record, const Placement &place, double tolerance) {
     constexpr int64_t size = powers * powers * dim;
     record.skip(2); // type of the curves and of the patches

@@ -27,7 +27,7 @@ const CurvePiece &innermost(const CurvePiece &piece) noexcept {
     return *at;
 }
 
-// Whether the parameters of its spline are those of the curve all along.
+// Whether the parameter of its spline is everywhere a linear function of that of the curve.
 bool linear(const CurvePiece &piece) noexcept {
     switch (piece.curve->kind) {
     case CurveKind::circle:
@@ -58,7 +58,7 @@ Vector3 point_of(const Spline &spline, int64_t i) noexcept {
     return {spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)};
 }
 
-// Whether one is the other moved along a vector.
+// Whether one is a translate of the other, control point by control point.
 bool moved(const Spline &a, const Spline &b) {
     if (a.point_count() != b.point_count() || !std::ranges::equal(a.axis(0).knots(), b.axis(0).knots()) ||
         !std::ranges::equal(a.weights(), b.weights())) {
@@ -76,7 +76,7 @@ bool moved(const Spline &a, const Spline &b) {
 
 } // namespace
 
-// From 0 to 1; a point (116) is a rail without length.
+// A boundary curve reparametrised to [0, 1]; a point (116) is a degenerate rail.
 Geometry::Rail Geometry::rail(Reading &reading, const char *what) {
     const int64_t pointer = reading.record.integer(what);
     Rail rail;
@@ -94,12 +94,12 @@ Geometry::Rail Geometry::rail(Reading &reading, const char *what) {
     return rail;
 }
 
-// Form 0 joins points of equal arc length, form 1 those of equal parameters, both relative to the whole; splines join
-// points of equal parameters of theirs.
+// Form 0 joins points of equal relative arc length, form 1 those of equal relative parameters; the spline
+// joins points of equal parameters of both splines.
 Surface Geometry::ruled(Reading &reading) {
     Rail first = rail(reading, "first curve"), second = rail(reading, "second curve");
     const bool reversed = reading.record.integer("direction flag") == 1;
-    reading.record.skip(1); // developable
+    reading.record.skip(1); // whether the surface is developable
     if (reversed) {
         second.spline = refine::reverse(*second.spline, 0, true);
     }
@@ -115,7 +115,7 @@ Surface Geometry::ruled(Reading &reading) {
                  ? "its rulings join points of equal parameters of splines, not of equal angles"
                  : "its rulings join points of equal parameters, not of equal arc length"});
     }
-    // over the knots of both, and of the sum of their degrees if the weights differ
+    // over the knots of both, with the sum of their degrees if the weights differ
     const bool rational = first.spline->rational() || second.spline->rational();
     entities_.spend((size_of(first.piece) + size_of(second.piece)) * (rational ? 16 : 4));
     return surface_of_spline(build::ruled(first.spline, second.spline, true));

@@ -25,7 +25,7 @@ model::SurfaceShapePtr trimmed(SurfaceShape basis, const model::Rectangle &range
     return std::make_shared<const SurfaceShape>(std::move(shape));
 }
 
-// Angles of files have so many angle_digits.
+// The accuracy of angles in files.
 constexpr double angle_digits = 1e-8;
 
 Interval checked_angles(double start, double end) {
@@ -119,7 +119,7 @@ int64_t size_of(const SurfaceShape &surface) noexcept {
     case SurfaceKind::trimmed:
         return size_of(*surface.basis);
     case SurfaceKind::spline:
-        return 0; // it is there already
+        return 0; // it exists already
     default:
         return elementary;
     }

@@ -11,7 +11,7 @@
 namespace nrb::io::iges {
 namespace {
 
-// One common weight cancels. Common zeros do not: they stay and are refused.
+// A common nonzero weight cancels. If all weights are 0, they are kept, and refused later.
 bool weights_matter(const SplineData &data) {
     const double first = data.weights.front();
     return first == 0 ||
@@ -29,7 +29,7 @@ std::vector<double> place_points(const std::vector<double> &points, const Placem
     return result;
 }
 
-// The control points, while axes become periodic.
+// The control points, while axes are made periodic.
 struct PlacedNet {
     int64_t dim;
     std::vector<int64_t> counts;
@@ -45,7 +45,7 @@ struct PlacedNet {
     }
 };
 
-// Whether the layers from number `period` on equal the first ones bit for bit.
+// Whether the layers from index `period` on equal the first ones bit for bit.
 bool repeats(const std::vector<double> &values, const AxisView &view, int64_t period) {
     const auto slab = static_cast<size_t>(view.count * view.inner);
     const auto later = static_cast<size_t>(period * view.inner);
@@ -90,13 +90,13 @@ bool cuts(const SplineData::Axis &axis, const Interval &range) {
     return range.lower > domain.lower || range.upper < domain.upper;
 }
 
-// Precondition: the knots are valid.
+// Whether the axis is periodic as stored. Precondition: the knots are valid.
 bool wraps(const SplineData::Axis &axis, const PlacedNet &net, size_t along) {
     return first_not_repeated(axis.degree, axis.knots) < 0 && repeats(net, along, axis.count - axis.degree);
 }
 
-// The knots of a period, if the axis is closed but not wrapped: as far as the last copy of the end of the domain that the
-// functions on the domain depend on. A clamped axis has `degree` of them.
+// The knots of a period, if the axis is closed but not wrapped: up to the last copy of the end of the domain
+// on which functions on the domain depend. A clamped axis has `degree` such copies.
 std::span<const double> period_of(const SplineData::Axis &axis) {
     const auto first = static_cast<size_t>(axis.degree), end = static_cast<size_t>(axis.count);
     size_t last = end;
@@ -106,7 +106,7 @@ std::span<const double> period_of(const SplineData::Axis &axis) {
     return std::span(axis.knots).subspan(first, last + 1 - first);
 }
 
-// All knots of the period, or none where they do not exist.
+// All knots of the wrapped axis; empty if they cannot be made.
 std::vector<double> wrapped_if_possible(int degree, std::span<const double> period) {
     try {
         return refine::wrapped_knots(degree, period);
@@ -115,8 +115,8 @@ std::vector<double> wrapped_if_possible(int degree, std::span<const double> peri
     }
 }
 
-// Makes the axis a wrapped one if it is closed, and every knot and control point with influence on the domain stays as it is.
-// Precondition: the knots are valid.
+// Converts a closed axis to a wrapped one, provided that every knot and control point with influence on the
+// domain stays unchanged. Precondition: the knots are valid.
 bool wrap(const SplineData::Axis &axis, PlacedNet &net, size_t along, std::vector<double> &knots) {
     const std::span<const double> period = period_of(axis);
     const int64_t distinct = std::ssize(period) - 1, count = distinct + axis.degree;

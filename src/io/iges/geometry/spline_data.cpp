@@ -26,7 +26,7 @@ SplineData::Axis make_axis(int64_t upper_index, int64_t degree, int axis, const 
     return result;
 }
 
-// `needed` parameters must follow; later ones may be left out.
+// Requires that `needed` parameters follow; those after them may be omitted.
 void require(int64_t needed, const Record &record) {
     if (needed > record.remaining()) {
         fail(Status::syntax, "knots, weights and points need %lld parameters, the record has %lld more",
@@ -41,8 +41,8 @@ void read_knots(Record &record, SplineData::Axis &axis, const char *name) {
     }
 }
 
-// The range of one axis. An end that is left out is the domain's. Both ends are if they are equal, because
-// nobody filled them in.
+// The parameter range of one axis. An omitted end is that of the domain. If both ends are equal, nobody
+// filled them in, and the range is the whole domain.
 void read_range(Record &record, SplineData::Axis &axis, const char *name) {
     const bool lower_blank = record.next_is_blank();
     const double lower = record.real(name, 0);
@@ -53,7 +53,7 @@ void read_range(Record &record, SplineData::Axis &axis, const char *name) {
     axis.whole = axis.lower == axis.upper;
 }
 
-// IGES lets the first index run fastest, this library the last: entry (i, j) of counts (m, n) stands at j * m
+// In IGES the first index varies fastest, in this library the last: entry (i, j) of counts (m, n) is at j * m
 // + i in the file and goes to i * n + j.
 template <class Read>
 void for_each_in_file_order(const SplineData &data, Read &&read) {
@@ -97,7 +97,7 @@ SplineData read_curve_data(Record &record) {
     data.axes.push_back(make_axis(upper_index, degree, -1, record));
     SplineData::Axis &axis = data.axes.front();
     record.skip(2);          // planar, closed
-    record.integer("PROP3"); // polynomial or rational: the weights tell
+    record.integer("PROP3"); // polynomial or rational: the weights decide
     axis.periodic = record.integer("PROP4") == 1;
     require(knot_count(axis) + checked_product(4, axis.count, "weights and points"), record);
     read_knots(record, axis, "knots");
@@ -119,7 +119,7 @@ SplineData read_surface_data(Record &record) {
     SplineData::Axis &u = data.axes[0];
     SplineData::Axis &v = data.axes[1];
     record.skip(2);          // closed in u, closed in v
-    record.integer("PROP3"); // polynomial or rational: the weights tell
+    record.integer("PROP3"); // polynomial or rational: the weights decide
     u.periodic = record.integer("PROP4") == 1;
     v.periodic = record.integer("PROP5") == 1;
     const int64_t point_count = checked_product(u.count, v.count, "points");

@@ -74,7 +74,7 @@ CurvePiece Geometry::part_curve(Reading &reading, const char *what) {
     return any_curve(pointer, reading.outer(), false);
 }
 
-// From the first point of the axis towards its second one. A mirrored space turns the other way around.
+// The axis runs from its first point to its second. A reflection reverses the sense of rotation.
 Surface Geometry::revolution(Reading &reading) {
     const int64_t axis = reading.record.integer("axis");
     reading.parts.push_back(axis);
@@ -93,7 +93,7 @@ Surface Geometry::revolution(Reading &reading) {
     return revolved(profile, build::make_placement(3, ends.first.data(), way, nullptr, "P1"), start, end);
 }
 
-// The directrix moved from its start to a given point.
+// The directrix translated from its start to a given point.
 Surface Geometry::tabulated(Reading &reading) {
     const CurvePiece directrix = part_curve(reading, "directrix");
     const std::array<double, 3> end =
@@ -105,7 +105,7 @@ Surface Geometry::tabulated(Reading &reading) {
     return extruded(directrix, Vector3{end[0], end[1], end[2]} - start);
 }
 
-// At the distance from the basis along its normal, on the side of the indicator.
+// At a distance from the basis along its normal, on the side of the indicator.
 Surface Geometry::offset(Reading &reading) {
     const auto [x, y, z] = read_point(reading.record, "indicator");
     const double distance = reading.record.real("distance");

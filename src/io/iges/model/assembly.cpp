@@ -13,10 +13,10 @@ namespace nrb::io::iges {
 namespace {
 
 constexpr int64_t first_part = 0;
-constexpr int64_t size_of_a_use = 32; // doubles
+constexpr int64_t size_of_a_use = 32; // in doubles
 constexpr int64_t size_of_a_claim = 8;
 
-// x -> M x + t without -0.
+// The placement x -> scale R x + factor T by rows, without negative zeros.
 std::array<double, 12> rows_of(const Transform &transform, double scale, double factor) {
     std::array<double, 12> rows{};
     for (size_t i = 0; i < 3; ++i) {
@@ -28,7 +28,7 @@ std::array<double, 12> rows_of(const Transform &transform, double scale, double 
     return rows;
 }
 
-// 402 of these forms: groups, ordered or not, with or without back pointers.
+// Associativities (402) of these forms are groups: ordered or not, with or without back pointers.
 bool is_group(const Entry &entry) noexcept {
     return entry.type == associativity_type &&
            (entry.form == 1 || entry.form == 7 || entry.form == 14 || entry.form == 15);
@@ -40,7 +40,7 @@ bool moves_others(int type) noexcept {
            type == shell_type || type == solid_type;
 }
 
-// 408 or 430.
+// An instance of a subfigure (408) or of a solid (430).
 struct Instance {
     int64_t pointer;
     int64_t target;
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    // What goes wrong with one entity is told, and does not affect the others.
+    // An error in one entity is reported, and does not affect the others.
     template <class Run>
     void guarded(const Entry &entry, Run &&run) {
         try {
@@ -106,7 +106,7 @@ private:
     }
     void read_subfigure(const Entry &entry) {
         Record record = entities_.record(entry);
-        record.skip(1); // depth, which says nothing that the instances do not
+        record.skip(1); // nesting depth, which follows from the instances
         std::string name = printable(trim(record.string("name")));
         entities_.spend(size_of_a_use);
         subfigures_[entry.line] = std::ssize(result_.parts);
@@ -137,7 +137,7 @@ private:
         instances_.push_back(std::move(instance));
     }
 
-    // Groups that several subfigures have become parts, too.
+    // Groups in several subfigures become parts, too.
     void claim_members() {
         std::vector<int64_t> subfigures;
         for (const auto &[pointer, part] : subfigures_) {
@@ -162,7 +162,8 @@ private:
         }
     }
 
-    // What one subfigure lists belongs to its part; what has several owners, instances or a matrix is a part of its own.
+    // What only one subfigure lists belongs to its part; what has several owners or instances is a part of
+    // its own.
     void find_own_parts() {
         for (const Instance &instance : instances_) {
             if (const Entry *const target = directory_entry(instance.target);
@@ -197,7 +198,8 @@ private:
         return result_.part_of[entry.line] = std::ssize(result_.parts) - 1;
     }
 
-    // Shells belong to the part of their solid and faces to that of their shell, unless a subfigure has them.
+    // Shells belong to the part of their solid, and faces to that of their shell, unless a subfigure lists
+    // them.
     void hand_down() {
         for (const auto *const collections : {&topology_.solids, &topology_.shells}) {
             for (const auto &[pointer, members] : *collections) {
@@ -213,7 +215,7 @@ private:
             }
         }
     }
-    // One with a matrix gets a part of its own where it is, and its matrix places that.
+    // An entity with a matrix gets a part of its own inside its present part, and the matrix places that.
     void move(int64_t pointer) {
         const Entry &entry = *directory_entry(pointer);
         if (entry.transform == 0) {
@@ -261,10 +263,10 @@ private:
     const TopologyEntities &topology_;
     std::vector<Damage> &damages_;
     std::map<int64_t, int64_t> subfigures_;           // pointer to part
-    std::map<int64_t, int64_t> collections_;          // the same with the groups that are parts
+    std::map<int64_t, int64_t> collections_;          // the same, with the groups that are parts
     std::map<int64_t, std::vector<int64_t>> members_; // of subfigures and groups
     std::vector<Instance> instances_;
-    std::map<int64_t, std::vector<int64_t>> owners_; // parts of those that list an entity
+    std::map<int64_t, std::vector<int64_t>> owners_; // parts that list an entity
     std::map<int64_t, int64_t> own_;                 // entities that are parts of their own
     std::vector<int64_t> sources_;                   // of each use
     Assembly result_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a file and where they are placed.
+// The parts (subfigures) of a file and their placements.
 #pragma once
 
 #include "io/iges/model/topology.h"
@@ -11,10 +11,10 @@
 namespace nrb::io::iges {
 
 struct Assembly {
-    std::vector<model::ModelPart> parts; // the first one: what no subfigure has
+    std::vector<model::ModelPart> parts; // the first part: everything that is in no subfigure
     std::vector<model::Use> uses;
     std::map<int64_t, int64_t> part_of; // of entities by their pointers; the first part for others
-    std::vector<bool> told;             // of each directory entry: it places or collects others, and is read
+    std::vector<bool> told;             // by directory entry: handled here, as it places or collects others
 
     [[nodiscard]] int64_t part(int64_t pointer) const noexcept {
         const auto found = part_of.find(pointer);
@@ -22,12 +22,17 @@ struct Assembly {
     }
 };
 
-// Subfigures (308) are parts, which their instances (408) place: x at R (s x + T) + t with the scale s and the translation T of the
-// instance and its matrix (124); in the subfigure that lists the instance, else in the first part. A solid with instances (430), an
-// entity that several subfigures list, and a bounded surface, a face, a shell or a solid with a matrix are parts of their own.
-// Groups (402) hand what they list on to the subfigure that lists them; one that several list is a part of its own. Placements are
-// in the unit that is wanted, of which that of the file is `factor`. Uses that would put a part into itself are told and left out.
-// Cost: n log n in the size of the file, whatever the parts would be if they were multiplied.
+// Subfigures (308) become parts, which their instances (408) place: x is mapped to R (s x + T) + t, with the
+// scale s and the translation T of the instance and its matrix (124). The instance is used in the subfigure
+// that lists it, else in the first part.
+//
+// These become parts of their own: solids with instances (430), entities listed by several subfigures, and
+// bounded surfaces, faces, shells and solids with a matrix. Groups (402) pass what they list on to the
+// subfigure that lists them; a group listed by several subfigures is a part of its own.
+//
+// Placements are in the wanted unit; `factor` converts from the unit of the file. Uses that would place a
+// part in itself are reported and left out. Cost: O(n log n) in the size of the file, however large the
+// expanded assembly would be.
 Assembly read_assembly(Entities &entities, double factor, const TopologyEntities &topology,
                        std::vector<Damage> &damages);
 

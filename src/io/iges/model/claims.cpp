@@ -35,14 +35,14 @@ private:
     [[nodiscard]] bool is_group(int64_t pointer) const {
         return members_.contains(pointer) && !subfigures_.contains(pointer);
     }
-    // None of a subfigure that could not be read.
+    // Empty for a subfigure that could not be read.
     [[nodiscard]] const std::vector<int64_t> &members_of(int64_t pointer) const {
         static const std::vector<int64_t> none;
         const auto found = members_.find(pointer);
         return found == members_.end() ? none : found->second;
     }
-    // Collections in an order that has each before those it lists; backwards. Without recursion: groups may lie as deep in each other
-    // as the file is long.
+    // Depth-first search: appends collections in an order in which each comes after those it lists. It uses
+    // no recursion, because groups may be nested as deeply as the file is long.
     void visit(int64_t first) {
         struct Step {
             int64_t pointer;
@@ -79,7 +79,7 @@ private:
             }
         }
     }
-    // Itself, or the only one that has it.
+    // The collection itself, or the only owner that has it.
     int64_t owner_of(int64_t collection) {
         if (subfigures_.contains(collection)) {
             return collection;
@@ -96,7 +96,7 @@ private:
         result_.shared.push_back(collection);
         return collection;
     }
-    // And those that have it by a shared group already.
+    // Removes duplicates, and owners that already have it through a shared group.
     void drop_doubles(std::vector<int64_t> &owners) {
         std::ranges::sort(owners);
         owners.erase(std::unique(owners.begin(), owners.end()), owners.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which subfigures list an entity, themselves or by groups.
+// Determines which subfigures list an entity, directly or through groups.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,18 @@
 
 namespace nrb::io::iges {
 
-// All by pointers.
+// Entities are identified by pointers.
 struct Claims {
-    // Groups that several subfigures have, each behind those that list it.
+    // Groups that several subfigures have, each after those that list it.
     std::vector<int64_t> shared;
-    // The subfigures and shared groups that have an entity or a shared group, rising.
+    // For each entity or shared group, the subfigures and shared groups that have it, in increasing order.
     std::map<int64_t, std::vector<int64_t>> owners;
 };
 
-// A group hands what it lists on to the subfigure that has it; one that several have keeps it, so that this takes no longer than to
-// read the lists. A group in itself counts once. `members`: of subfigures and groups; others list nothing.
-// `spend(n)` is called before n owners are kept.
+// A group passes what it lists on to the subfigure that has it; a group that several subfigures have keeps
+// its list, so that the time is no more than that of reading the lists. A group inside itself counts once.
+// members: the lists of subfigures and groups; other entities list nothing. spend(n) is called before n
+// owners are stored.
 Claims claims_of(const std::vector<int64_t> &subfigures,
                  const std::map<int64_t, std::vector<int64_t>> &members,
                  const std::function<void(int64_t)> &spend);

@@ -14,7 +14,7 @@ constexpr std::array<std::array<double, 3>, 8> numbered = {
 
 } // namespace
 
-// Percentages.
+// Reads a definition, whose values are percentages.
 Colours::Colour Colours::read(int64_t pointer) {
     try {
         const Entry &entry = entities_.at(pointer, "colour");

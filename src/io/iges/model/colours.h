@@ -14,8 +14,8 @@ class Colours {
 public:
     explicit Colours(Entities &entities) noexcept : entities_(entities) {}
 
-    // Red, green and blue from 0 to 1: one of the eight that the standard numbers, or that of a definition (314). None where the
-    // entity has none, or one that cannot be read.
+    // Red, green and blue from 0 to 1: one of the eight colours numbered by the standard, or that of a
+    // definition (314). Empty if the entity has no colour, or one that cannot be read.
     std::optional<std::array<double, 3>> of(const Entry &entry);
 
 private:
@@ -23,7 +23,7 @@ private:
     Colour read(int64_t pointer);
 
     Entities &entities_;
-    std::map<int64_t, Colour> definitions_; // read already
+    std::map<int64_t, Colour> definitions_; // those read already
 };
 
 } // namespace nrb::io::iges

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists inside of parameter data.
+// Lists inside parameter data.
 #pragma once
 
 #include "io/iges/record.h"
@@ -8,8 +8,8 @@
 
 namespace nrb::io::iges {
 
-// The next parameter as the length of a list of entries with so many parameters each. Throws Status::syntax if they are not
-// there.
+// Reads the length of a list whose entries have `parameters` parameters each. Throws Status::syntax if they
+// are not all there.
 int64_t read_count(Record &record, const char *what, int64_t parameters);
 
 std::vector<int64_t> read_pointers(Record &record, const char *what);

@@ -63,7 +63,7 @@ private:
         model_.edges.push_back(std::move(edge));
         return {std::move(spline), std::ssize(model_.edges) - 1};
     }
-    // Those that edges name, in the order of their lists.
+    // Adds the vertices that edges refer to, in the order of their lists.
     void add_vertices() {
         for (const auto &[pointer, edges] : topology_.edge_lists) {
             for (const EdgeEntity &edge : edges) {
@@ -110,7 +110,7 @@ private:
     std::map<std::pair<int64_t, int64_t>, int64_t> vertices_; // by list and index
 };
 
-// Those with keys from a first one on, in their order: loops may have been turned.
+// The coedges with keys from first_key on, in the order of keys: loops may have been reversed.
 std::vector<const face::Coedge *> coedges_from(const face::Face &face, int64_t first_key, size_t count) {
     std::vector<const face::Coedge *> result(count, nullptr);
     for (const face::Loop &loop : face.loops()) {
@@ -123,8 +123,8 @@ std::vector<const face::Coedge *> coedges_from(const face::Face &face, int64_t f
     return result;
 }
 
-// Each is where an edge begins, and the one before it in the loop ends. An edge that ends elsewhere, because the loop is open there,
-// has one of its own.
+// Adds a vertex where each edge begins, which is also where the edge before it in the loop ends. Where the
+// loop is open, an edge that ends elsewhere gets an end vertex of its own.
 void add_vertices(const face::Face &face, const std::vector<OwnEdge> &edges, std::vector<model::Edge> &made,
                   model::Model &model) {
     const auto first = static_cast<size_t>(std::ssize(model.vertices));

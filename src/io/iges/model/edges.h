@@ -13,12 +13,13 @@
 
 namespace nrb::io::iges {
 
-// The edges of all lists (504), with their vertices, added to the model. Those that could not be read become damages.
+// Adds the edges of all lists (504), with their vertices, to the model. Edges that cannot be read become
+// damages.
 EdgeLists read_edges(Geometry &geometry, const TopologyEntities &topology, model::Model &model,
                      std::vector<Damage> &damages);
 
-// The edges that a face alone has, added to the model with vertices where two of them meet. Their keys begin at that of the next
-// edge of the model. Throws what face::edge_of() does.
+// Adds the edges that belong to a face alone to the model, with vertices where two of them meet. Their keys
+// begin at that of the next edge of the model. Throws what face::edge_of() throws.
 void add_own_edges(Geometry &geometry, const face::Face &face, const std::vector<OwnEdge> &edges,
                    int64_t part, model::Model &model);
 

@@ -22,7 +22,8 @@ std::vector<SplinePtr> curves_of(const std::vector<LoopSource> &loops) {
     return result;
 }
 
-// Curves in space come first: where they are missing, only parameters can tell.
+// The spline of a surface around its boundary. The extent follows from the curves in space; without them,
+// from those in the domain.
 model::MadeSurface surface_of(Geometry &geometry, const model::SurfaceShape &shape,
                               const std::vector<LoopSource> &loops, std::vector<Vector3> points) {
     for (const LoopSource &loop : loops) {
@@ -37,7 +38,7 @@ model::MadeSurface surface_of(Geometry &geometry, const model::SurfaceShape &sha
     return surface_around(geometry.entities(), shape, points, geometry.units().resolution);
 }
 
-// What cannot be carried over to the parameters of the spline is left to be made from the edges.
+// If a curve cannot be converted to the parameters of the spline, all are dropped, to be made from the edges.
 void carry_over(const model::SurfaceShape &shape, const Spline &surface, bool all_digits, LoopSource &loop) {
     try {
         for (SplinePtr &curve : loop.curves) {
@@ -54,7 +55,7 @@ void carry_over(const model::SurfaceShape &shape, const Spline &surface, bool al
     }
 }
 
-// Backwards; curves may be missing yet.
+// Reverses a loop; some curves may still be missing.
 void turn(face::Loop &loop) {
     std::reverse(loop.begin(), loop.end());
     for (face::Coedge &coedge : loop) {
@@ -119,7 +120,8 @@ private:
         }
     }
 
-    // The curve in the domain as the edge runs in the boundary, if it belongs to that: files differ on its direction. Else null.
+    // The curve in the domain, oriented as the edge runs in the boundary, if it lies under the edge; else
+    // null. Both directions are tried, since files disagree on it.
     [[nodiscard]] SplinePtr curve_under(const SplinePtr &curve, const SpaceCurve &edge) const {
         if (curve == nullptr) {
             return nullptr;

@@ -13,32 +13,34 @@ struct FaceSource {
     model::SurfaceShapePtr shape;
     SplinePtr surface;
     std::vector<LoopSource> loops;
-    bool whole_domain = false; // the boundary of the domain is one of the face
-    bool mirrored = false;     // the normal of the shape is against that of the entity's parameters
-    double distance = 0;       // of the spline from the surface, at most
+    bool whole_domain = false; // the boundary of the domain bounds the face
+    bool mirrored = false;     // the normal of the shape is opposite to that of the parameters of the entity
+    double distance = 0;       // upper bound of the distance of the spline from the surface
 };
 
-// With the curves in the parameters of the spline; a surface without ends is cut to what its loops and `poles` need. Throws what
-// the making of its spline does.
+// Makes the spline of the surface and converts the curves to its parameters; an unbounded surface is cut to
+// what its loops and `poles` need. Throws what making the spline throws.
 FaceSource make_source(Geometry &geometry, const Surface &surface, std::vector<LoopSource> loops,
                        bool whole_domain, const std::vector<Vector3> &poles);
 
-// An edge that no other face has.
+// An edge that belongs to one face only.
 struct OwnEdge {
-    model::CurveShapePtr shape; // null: nothing is known but the spline
+    model::CurveShapePtr shape; // null: only the spline is known
     size_t loop;
 };
 
 struct MadeParts {
     face::FaceParts parts;
-    std::vector<OwnEdge> own; // their keys follow each other
+    std::vector<OwnEdge> own; // with consecutive keys
 };
 
-// Of curves that rule, those of the other kind are taken where they belong to them, to the tolerance, and are left to be made
-// where they do not. `second`: with the rule against the preference of the file. Own edges have keys from `first_key` on.
+// The surface and the loops of a face. Each loop is defined either by its curves in space or by those in the
+// domain, as the file prefers or, with `second`, the other way. The curves of the other kind are used where
+// they agree within the tolerance, and are left to be made where they do not. Own edges have keys from
+// `first_key` on.
 MadeParts parts_of(const FaceSource &source, bool second, double tolerance, int64_t first_key);
 
-// Whether the rule makes a difference.
+// Whether `second` makes a difference.
 bool has_two_ways(const FaceSource &source) noexcept;
 
 } // namespace nrb::io::iges

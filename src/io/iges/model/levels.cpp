@@ -12,7 +12,7 @@ namespace nrb::io::iges {
 namespace {
 
 constexpr int64_t level_list_form = 1, level_name_form = 3;
-constexpr int64_t size_of_a_level = 16; // doubles, in its map
+constexpr int64_t size_of_a_level = 16; // in doubles, in its map
 
 } // namespace
 
@@ -47,7 +47,7 @@ void Levels::read_list(const Entry &entry) {
     lists_[entry.line] = std::move(levels);
 }
 
-// Number of properties, a code, what the level is for.
+// The record holds the number of properties, a code, and the function of the level.
 void Levels::read_name(const Entry &entry) {
     Record record = entities_.record(entry);
     record.skip(2);

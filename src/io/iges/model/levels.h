@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The levels of entities, which are layers.
+// The levels of entities, which become layers.
 #pragma once
 
 #include "io/iges/geometry/entities.h"
@@ -15,15 +15,15 @@ class Levels {
 public:
     explicit Levels(Entities &entities) noexcept : entities_(entities) {}
 
-    // Reads the properties that have several levels (406 form 1) and those that name one (406 form 3). Which of the entries of the
-    // directory these are is marked; one that cannot be read is none.
+    // Reads the properties that list several levels (406 form 1) and those that name a level (406 form 3).
+    // Marks their directory entries in `told`; one that cannot be read is ignored.
     void read(std::vector<bool> &told);
 
-    // The numbers of the levels of an entity, rising; none for 0.
+    // The numbers of the levels of an entity, in increasing order; empty for level 0.
     [[nodiscard]] std::vector<int64_t> of(const Entry &entry) const;
 
-    // Makes layers of the levels that faces and splines have in place of them, in the order of their numbers. Those of the same
-    // name are one; what no property names has its number for a name.
+    // Replaces the levels of faces and splines by layers, in the order of the level numbers. Levels of the
+    // same name become one layer; the name of a level without a property is its number.
     void make_layers(model::Model &model) const;
 
 private:

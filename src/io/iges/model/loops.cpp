@@ -9,7 +9,8 @@
 namespace nrb::io::iges {
 namespace {
 
-// What a pointer of a face names. Throws Status::syntax for what is not there, or could not be read.
+// The entity that a pointer of a face refers to. Throws Status::syntax if it does not exist or could not be
+// read.
 template <class Value>
 const Value &entity_at(const std::map<int64_t, Value> &all, int64_t pointer, const char *what) {
     const auto found = all.find(pointer);
@@ -41,7 +42,8 @@ void LoopReader::add_edges(int64_t pointer, bool reversed, std::vector<SpaceCurv
     }
 }
 
-// Throws if there are none, since a boundary that lacks some of its curves in the domain has none that is whole.
+// Throws if there are no curves: a boundary that lacks some of its curves in the domain is not complete
+// there.
 void LoopReader::add_curves(const std::vector<int64_t> &pointers, std::vector<SplinePtr> &curves) {
     if (pointers.empty() || pointers.front() == 0 || !surface_.parametrized) {
         fail(Status::syntax, "a boundary has no curves in the domain");
@@ -53,7 +55,8 @@ void LoopReader::add_curves(const std::vector<int64_t> &pointers, std::vector<Sp
     }
 }
 
-// Of an edge without one, which is made, null; if all have none, they are missing.
+// Adds null for an edge without curves in the domain, which are then made; if no edge has any, they are
+// missing.
 void LoopReader::add_curves_of(const std::vector<EdgeReference> &references, std::vector<SplinePtr> &curves) {
     const bool any = std::ranges::any_of(
         references, [](const EdgeReference &edge) { return !edge.vertex && !edge.domain_curves.empty(); });
@@ -66,7 +69,7 @@ void LoopReader::add_curves_of(const std::vector<EdgeReference> &references, std
     }
 }
 
-// What edges() and curves() fill; one of the two may throw, or find none.
+// Combines what edges() and curves() provide; one of the two may throw, or find nothing.
 template <class Edges, class Curves>
 LoopSource LoopReader::either(Edges &&edges, Curves &&curves) {
     LoopSource result;

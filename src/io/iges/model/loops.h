@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The curves that bound a face, one after the other.
+// Reads the loops that bound a face.
 #pragma once
 
 #include "io/iges/geometry/geometry.h"
@@ -9,15 +9,17 @@
 
 namespace nrb::io::iges {
 
-// A curve of a boundary in space: an edge that several faces may share, or one of its own that runs as the boundary does.
+// A curve of a boundary in space: an edge that faces may share, or one of the face alone, in the direction of
+// the boundary.
 struct SpaceCurve {
     SplinePtr spline;
-    model::CurveShapePtr shape; // null: nothing is known but the spline
-    int64_t edge = -1;          // index in the model; -1: one of its own
+    model::CurveShapePtr shape; // null: only the spline is known
+    int64_t edge = -1;          // index in the model; -1: belongs to the face alone
     bool against = false;       // whether it runs against the boundary
 };
 
-// The same boundary in space and in the domain: each of the two may be missing, and they may be divided in other places.
+// One boundary in space and in the domain. Either may be missing, and they may be divided at different
+// places.
 struct LoopSource {
     std::vector<SpaceCurve> edges;
     std::vector<SplinePtr> curves; // in the parameters of the surface's shape; null: to be made from the edge
@@ -26,14 +28,15 @@ struct LoopSource {
     [[nodiscard]] bool both() const noexcept { return !edges.empty() && !curves.empty(); }
 };
 
-// An edge of a list (504) as the model has it.
+// An edge of a list (504) in the model.
 struct ListedEdge {
     SplinePtr spline; // null: could not be read
     int64_t index = -1;
 };
 using EdgeLists = std::map<int64_t, std::vector<ListedEdge>>;
 
-// Throw Error where neither the curves in space nor those in the domain can be read: Status::syntax, unsupported.
+// The functions throw Error if neither the curves in space nor those in the domain can be read:
+// Status::syntax, unsupported.
 class LoopReader {
 public:
     LoopReader(Geometry &geometry, const TopologyEntities &topology, const Surface &surface) noexcept
@@ -43,7 +46,7 @@ public:
     LoopSource boundary(int64_t pointer);
     // A loop (508). Its vertices are poles, which have no curves.
     LoopSource loop(int64_t pointer, const EdgeLists &lists);
-    // A closed curve of space alone.
+    // A closed curve that is given in space only.
     LoopSource closed_curve(int64_t pointer);
     // The vertices of the loops read so far.
     [[nodiscard]] const std::vector<Vector3> &poles() const noexcept { return poles_; }

@@ -8,10 +8,10 @@
 namespace nrb::io::iges {
 namespace {
 
-constexpr int64_t size_of_an_entity = 16; // doubles, in its map
+constexpr int64_t size_of_an_entity = 16; // in doubles, in its map
 
 CurveOnSurface read_curve_on_surface(Record &record) {
-    record.skip(1); // how it was made
+    record.skip(1); // how it was created
     CurveOnSurface curve{};
     curve.surface = record.integer("surface");
     curve.domain_curve = record.integer("curve in the domain");
@@ -36,7 +36,7 @@ TrimmedSurface read_trimmed_surface(Record &record) {
 Boundary read_boundary(Record &record) {
     record.skip(1); // whether there are curves in the domain
     Boundary boundary{record.integer("preference"), {}};
-    record.skip(1); // the surface, which the bounded surface names
+    record.skip(1); // the surface, which the bounded surface states as well
     const int64_t count = read_count(record, "number of curves", 3);
     for (int64_t i = 0; i < count; ++i) {
         BoundaryCurve curve{record.integer("curve in space", i), false, {}};
@@ -80,7 +80,7 @@ std::vector<Oriented> read_shell(Record &record) {
 FaceEntity read_face(Record &record) {
     FaceEntity face{record.integer("surface"), {}};
     const int64_t count = read_count(record, "number of loops", 1);
-    record.skip(1); // whether the first one is the outer one
+    record.skip(1); // whether the first loop is the outer one
     for (int64_t i = 0; i < count; ++i) {
         face.loops.push_back(record.integer("loop", i));
     }
@@ -98,7 +98,7 @@ std::vector<EdgeReference> read_loop(Record &record) {
         edge.against = record.integer("edge orientation", i) == 0;
         const int64_t curves = read_count(record, "number of curves in the domain", 2);
         for (int64_t k = 0; k < curves; ++k) {
-            record.skip(1); // whether it is an iso-curve, which its geometry tells
+            record.skip(1); // whether it is isoparametric, which its geometry shows
             edge.domain_curves.push_back(record.integer("curve in the domain", k));
         }
         loop.push_back(std::move(edge));

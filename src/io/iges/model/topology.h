@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The entities that bound faces and collect them, as the file has them.
+// The entities that bound faces and collect them, as they are in the file.
 #pragma once
 
 #include "io/iges/geometry/entities.h"
@@ -11,14 +11,14 @@
 
 namespace nrb::io::iges {
 
-// Numbers that are pointers are directory lines; 0: none.
+// Pointers are directory lines; 0: none.
 
-// 142: a closed curve on a surface, in its domain, in space, or both.
+// 142: a closed curve on a surface, given in its domain, in space, or both.
 struct CurveOnSurface {
     int64_t surface;
     int64_t domain_curve;
     int64_t space_curve;
-    int64_t preference; // 1: the curve in the domain rules, 2: the one in space, 0 and 3: either
+    int64_t preference; // 1: the curve in the domain, 2: the curve in space, 0 and 3: either
 };
 
 // 144.
@@ -28,7 +28,7 @@ struct TrimmedSurface {
     std::vector<int64_t> inner;
 };
 
-// 141: curves one after the other.
+// A curve of a boundary (141), which is a sequence of curves.
 struct BoundaryCurve {
     int64_t curve;
     bool reversed;
@@ -57,7 +57,7 @@ struct FaceEntity {
     std::vector<int64_t> loops;
 };
 
-// 508: an edge by its place in a list, or a vertex where the boundary is one point.
+// 508: an edge by its index in a list, or a vertex where the boundary degenerates to a point.
 struct EdgeReference {
     bool vertex;
     int64_t list;
@@ -73,7 +73,7 @@ struct EdgeEntity {
     std::array<int64_t, 2> vertex_indices;
 };
 
-// By their pointers. What cannot be read is not here.
+// All entities by their pointers. Those that cannot be read are missing.
 struct TopologyEntities {
     std::map<int64_t, CurveOnSurface> curves_on_surfaces;
     std::map<int64_t, TrimmedSurface> trimmed;
@@ -84,18 +84,18 @@ struct TopologyEntities {
     std::map<int64_t, FaceEntity> faces;
     std::map<int64_t, std::vector<EdgeReference>> loops;
     std::map<int64_t, std::vector<EdgeEntity>> edge_lists;
-    std::map<int64_t, std::vector<std::array<double, 3>>> vertex_lists; // placed, in the unit that is wanted
+    std::map<int64_t, std::vector<std::array<double, 3>>> vertex_lists; // placed, in the wanted unit
     std::map<int64_t, std::string> names;
 };
 
-// What is wrong with an entity.
+// An error in an entity.
 struct Damage {
     int64_t pointer;
     Status reason;
     std::string text; // begins with the label of the entity
 };
 
-// `factor`: from the unit of the file to the one that is wanted.
+// `factor`: from the unit of the file to the wanted unit.
 TopologyEntities read_topology(Entities &entities, double factor, std::vector<Damage> &damages);
 
 } // namespace nrb::io::iges

@@ -16,7 +16,7 @@
 namespace nrb::io::iges {
 namespace {
 
-// A file that cannot be read confirms nothing.
+// Reads a file back. A file that cannot be read confirms nothing.
 model::Model read_again(const std::string &text) {
     try {
         return read_iges_model(text, {});
@@ -25,9 +25,9 @@ model::Model read_again(const std::string &text) {
     }
 }
 
-constexpr double rounding = 0x1p-48; // of knots that were others
+constexpr double rounding = 0x1p-48; // tolerance for knots that were transformed
 
-// The same but for a linear change of the parameter: a straight line may have any, and what lies under it has the same.
+// Equal up to a linear change of the parameter, which a straight line and the curves under it may undergo.
 bool same_course(const Spline &a, const Spline &b) {
     if (same_numbers(a, b)) {
         return true;
@@ -53,7 +53,7 @@ bool same_face(const face::Face &a, const face::Face &b) {
            });
 }
 
-// What is written for a shape.
+// The text that is written for a shape.
 template <class Write>
 std::string statement(const Write &write) {
     FileText text;
@@ -68,7 +68,7 @@ std::string statement_of(const model::SurfaceShape &surface) {
     return statement([&](GeometryWriter &geometry) { geometry.surface(surface); });
 }
 
-// The part of a curve between the vertices of an edge that there is an entity for.
+// The part of a curve between the vertices of an edge, if there is an entity for it.
 std::optional<model::CurvePiece> statable_piece(const model::Edge &edge, const std::vector<Vector3> &vertices,
                                                 double tolerance) {
     if (edge.shape == nullptr || edge.shape->kind == model::CurveKind::spline) {
@@ -79,7 +79,8 @@ std::optional<model::CurvePiece> statable_piece(const model::Edge &edge, const s
     return piece && statable(*piece) ? piece : std::nullopt;
 }
 
-// What readers take a part of a curve for, if that is the same spline. They take a line for a spline, which is written as that line.
+// The piece that readers reconstruct, if it gives the same spline. They read a line as a spline, which is
+// written as that line again.
 std::optional<model::CurvePiece> read_piece(const model::CurvePiece &piece, const Spline &curve,
                                             const model::Edge &read, const std::vector<Vector3> &vertices,
                                             double tolerance) {

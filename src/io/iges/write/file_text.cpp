@@ -20,7 +20,7 @@ constexpr int64_t work_of_a_line = 64;
 constexpr int name_form = 15;
 constexpr std::string_view start_section = "Written by libnurbs.";
 
-// To the right of a field.
+// Right-aligned in a field.
 void append_field(int64_t value, size_t width, std::string &text) {
     char digits[24];
     const auto size = static_cast<size_t>(std::to_chars(digits, digits + sizeof digits, value).ptr - digits);
@@ -63,7 +63,7 @@ void Parameters::delimiter() {
     ++column_;
 }
 
-// With its delimiter on the same line.
+// Puts a token and its delimiter on the same line.
 void Parameters::token(std::string_view text) {
     if (column_ + text.size() + 1 > columns_) {
         end_line();
@@ -141,7 +141,8 @@ void FileText::end() {
     entry.lines = data_.lines() - entry.first_line + 1;
 }
 
-// No associativities, and one property. Readers name an entity without one by its type and number.
+// No associativities, and one property. If readers derive the same name from type and number, no property is
+// needed.
 void FileText::end_named(std::string_view name) {
     const int type = entries_[static_cast<size_t>(current_ / 2)].head.type;
     const std::string stated = printable(stated_name(name, usual_name(type, current_)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sections of a file in the fixed-length form as they are written.
+// The sections of a file in the fixed-length form, while it is written.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace nrb::io::iges {
 
-// Status numbers of directory entries: blank, subordinate, use, hierarchy.
+// Status numbers of directory entries: blank status, subordinate, use, hierarchy.
 inline constexpr std::string_view independent{"00000000"}, dependent{"00010000"}, property{"00010300"},
     lone_property{"00000300"}, in_parameters{"00010500"}, independent_in_parameters{"00000500"},
     definition{"00000200"}, definition_dependent{"00010200"};
 
-// What readers call an entity without a name.
+// The name that readers give to an entity without a name.
 std::string usual_name(int type, int64_t number);
 
-// What a directory entry says of its entity.
+// The fields of a directory entry.
 struct Head {
     int type;
     int form = 0;
@@ -28,7 +28,8 @@ struct Head {
     int64_t level = 0;     // or minus a pointer to a list of them
 };
 
-// Parameters filled into lines of a width. Numbers stay whole, strings may go on in the next line.
+// Parameters filled into lines of a given width. Numbers are not split, strings may continue on the next
+// line.
 class Parameters {
 public:
     explicit Parameters(size_t columns) : columns_(columns) {}
@@ -43,7 +44,7 @@ public:
             put(value);
         }
     }
-    // The delimiter of the record in place of the last one of a parameter, and the rest of the line.
+    // Replaces the last parameter delimiter by the record delimiter, and fills up the line.
     void end();
 
     [[nodiscard]] int64_t lines() const noexcept { return lines_; }
@@ -57,15 +58,16 @@ private:
     size_t columns_;
     size_t column_ = 0;
     int64_t lines_ = 0;
-    std::string after_line_; // up to the sequence number
+    std::string after_line_; // the columns up to the sequence number
     std::string scratch_;
     std::string text_;
 };
 
-// Entities are named by the numbers of the first of their two directory lines: 1, 3, 5...
+// Entities are identified by the number of the first of their two directory lines: 1, 3, 5...
 class FileText {
 public:
-    // For entities that others name before they are written. Every one that is reserved has to be written.
+    // Reserves numbers for entities that others refer to before they are written. Every reserved entity has
+    // to be written.
     int64_t reserve(int64_t count = 1);
     void begin(int64_t number, const Head &head);
     int64_t begin(const Head &head) {
@@ -78,7 +80,7 @@ public:
         (data_.put(values), ...);
     }
     void put_all(std::span<const double> values) { data_.put_all(values); }
-    // A list of pointers, with the length before it.
+    // A list of pointers, preceded by its length.
     void put_list(std::span<const int64_t> pointers);
     void end();
     template <class... Values>
@@ -88,7 +90,7 @@ public:
         end();
         return number;
     }
-    // end() of an entity to which a property gives the name.
+    // Ends an entity whose name is given by a property.
     void end_named(std::string_view name);
 
     // The whole file. Throws Status::too_large if it has more lines than sequence numbers can count.

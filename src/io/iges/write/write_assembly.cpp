@@ -15,13 +15,14 @@
 namespace nrb::io::iges {
 namespace {
 
-// x -> R (s x + T): what readers multiply a matrix with a scale for.
+// x -> R (s x + T), which readers evaluate by multiplying the matrix R with the scale s.
 struct Stated {
     std::array<double, 12> rows; // R and T
     double scale;
 };
 
-// Computed from a matrix, but with no more digits than what others may have stated, which it then is.
+// A scale computed from a matrix is rounded to 12 digits, which restores a scale with no more digits than
+// that.
 double stated_scale(double size) {
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, size, std::chars_format::scientific, 11);
@@ -30,7 +31,7 @@ double stated_scale(double size) {
     return is_one(rounded) ? 1 : rounded;
 }
 
-// Only a translation needs no matrix.
+// The matrix divided by its scale; a mere translation needs no matrix.
 Stated stated(const std::array<double, 12> &placement, double size) {
     Stated result{placement, stated_scale(size)};
     for (size_t i = 0; i < 12; ++i) {
@@ -96,7 +97,8 @@ void AssemblyWriter::place(const model::Use &use) {
     }
 }
 
-// How many subfigures are in one below each other: of one without others, 0. From the innermost ones on outwards.
+// Sets how deeply subfigures are nested in each part: 0 for a part without others. Proceeds from the
+// innermost parts outwards.
 void AssemblyWriter::find_depths(const std::vector<model::Use> &uses) {
     depths_.assign(items_.size(), 0);
     std::vector<std::vector<int64_t>> parents(items_.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts as subfigures, and where they are placed.
+// Writes parts as subfigures, and their placements.
 #pragma once
 
 #include "io/iges/write/write_geometry.h"
@@ -9,14 +9,14 @@
 
 namespace nrb::io::iges {
 
-// Whether the first part is what stands in the file outside of subfigures, as readers have it.
+// Whether the first part holds what is outside of subfigures in the file, as readers assume.
 bool first_is_whole(const model::Model &model);
 
-// Subfigures (308) with their instances (408), in the order of parts and of uses. Throws Status::matrix for placements that are no
-// similarities, naming the use.
+// Writes subfigures (308) with their instances (408), in the order of parts and uses. Throws Status::matrix
+// for placements that are not similarities, naming the use.
 class AssemblyWriter {
 public:
-    // items: the pointers of what stands in each part.
+    // items: for each part, the pointers of what it contains.
     AssemblyWriter(GeometryWriter &geometry, const model::Model &model,
                    std::vector<std::vector<int64_t>> items);
 
@@ -35,7 +35,7 @@ private:
     FileText &text_;
     const model::Model &model_;
     std::vector<std::vector<int64_t>> items_;
-    int64_t first_; // of the parts that are subfigures
+    int64_t first_; // the first part that is a subfigure
     int64_t first_pointer_ = 0;
     std::vector<int64_t> depths_;
 };

@@ -38,7 +38,7 @@ std::array<double, 3> with_neighbours(double value) noexcept {
     return {value, std::nextafter(value, -HUGE_VAL), std::nextafter(value, HUGE_VAL)};
 }
 
-// The degrees that readers take for an angle, or what is next to them.
+// The angle in degrees from which readers compute exactly this angle, if there is one; else the nearest.
 double degrees(double angle) noexcept {
     const double near = angle / radians_per_degree;
     for (const double candidate : with_neighbours(near)) {
@@ -57,12 +57,12 @@ bool has_all_angles(Interval range) noexcept {
     return range.lower == 0 && range.upper == model::turn;
 }
 
-// All of it ends where it begins.
+// A full turn ends where it begins.
 double end_of(Interval range) noexcept {
     return model::sweep_of(range) == model::turn ? range.lower : range.upper;
 }
 
-// That is neither too large nor too small in any unit; 0 is what circles have besides their radius.
+// Whether the square of a size is representable in any unit; circles have a second size of 0.
 bool has_square(double size) noexcept {
     constexpr double least = 1e-100, most = 1e100;
     return size == 0 || (least <= size && size <= most);
@@ -72,15 +72,15 @@ Vector3 point_of(const Spline &spline, int64_t i) noexcept {
     return {spline.coordinate(i, 0), spline.coordinate(i, 1), spline.coordinate(i, 2)};
 }
 
-// Of the matrix of a plane: the direction that was given for x, if it was a column already.
+// The first column of the matrix of a plane: the given direction of x, if it is a unit vector, else x.
 Vector3 first_column(const build::Placement &place) noexcept {
     constexpr double digits = 0x1p-40;
     const Vector3 &x = place.given_x;
     return given(x) && std::abs(length(x) - 1) <= digits ? x : place.x;
 }
 
-// Readers take the product of the columns for the axis: next to y there is one of which they get the axis that was given, if that was
-// made so.
+// Readers compute the axis as the cross product of the columns. If the given axis was computed in this way, a
+// vector next to y reproduces it exactly.
 Vector3 second_column(const build::Placement &place, const Vector3 &x) noexcept {
     const auto same = [](const Vector3 &a, const Vector3 &b) {
         return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -97,15 +97,15 @@ Vector3 second_column(const build::Placement &place, const Vector3 &x) noexcept 
     return place.y;
 }
 
-// The spline that readers make of a line.
+// Whether it is the spline that readers make of a line.
 bool is_line(const Spline &spline) {
     constexpr double knots[] = {0, 0, 1, 1};
     return spline.axes() == 1 && spline.dim() == 3 && spline.axis(0).degree() == 1 && !has_weights(spline) &&
            std::ranges::equal(spline.axis(0).knots(), knots) && !spline.axis(0).periodic();
 }
 
-// Where a circle around the origin is at an angle, in numbers of which readers compute the same radius and the same angle, if there
-// are some next to the exact ones.
+// The point at an angle on a circle around the origin, with coordinates from which readers compute exactly
+// the same radius and angle, if there are any next to the rounded ones.
 std::array<double, 2> place_on_circle(double radius, double angle) noexcept {
     const auto [cos, sin] = build::Angle::from_radians(angle).direction();
     const double x = radius * cos, y = radius * sin;
@@ -220,14 +220,14 @@ int64_t GeometryWriter::matrix(const std::array<double, 12> &rows) {
     return known->second;
 }
 
-// From the plane of a conic to where it is; 0 for no change.
+// The matrix from the plane of a conic to its place; 0 for the identity.
 int64_t GeometryWriter::frame(const build::Placement &place) {
     const Vector3 x = first_column(place), y = second_column(place, x), &z = place.z, &o = place.origin;
     const std::array<double, 12> rows{x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z};
     return is_identity(rows) ? 0 : matrix(rows);
 }
 
-// Arcs run around the axis, counterclockwise.
+// Arcs run counterclockwise around the axis.
 int64_t GeometryWriter::arc(const CurvePiece &piece) {
     const auto &[curve, range, forward] = piece;
     const double r = length_ * curve->sizes[0], end = end_of(range);
@@ -267,7 +267,7 @@ int64_t GeometryWriter::curve(const CurvePiece &piece) {
     }
 }
 
-// With a reference direction, form 1, so that they have parameters.
+// Form 1, with a reference direction, so that the surface has parameters.
 int64_t GeometryWriter::elementary(const SurfaceShape &surface) {
     const int64_t at = point(surface.place.origin), axis = direction(axis_of(surface.place)),
                   x = direction(x_of(surface.place));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves and surfaces as they are written.
+// Writes curves and surfaces.
 #pragma once
 
 #include "io/iges/write/file_text.h"
@@ -17,15 +17,16 @@ public:
     [[nodiscard]] FileText &text() noexcept { return text_; }
     [[nodiscard]] double length() const noexcept { return length_; }
 
-    // The pointers of the entities. Preconditions: check_writable().
+    // Returns the pointer of the entity, as the functions below do. Precondition: check_writable().
     int64_t spline(const Spline &spline);
-    // One that nothing else consists of, with a name; curves of dimension 2 are in a parameter plane, which has no unit.
+    // A spline that is not part of anything else, with a name; a curve of dimension 2 lies in a parameter
+    // plane, which has no unit.
     int64_t named_spline(const Spline &spline, std::string_view name, int64_t level);
     int64_t parameter_curve(const Spline &curve);
-    // As what it is, if statable(); the parts of shapes are written once.
+    // Writes the shape as its own kind, if statable(); shared parts of shapes are written once.
     int64_t curve(const model::CurvePiece &piece);
     int64_t surface(const model::SurfaceShape &surface);
-    // Any affine map: of a rotation, form 0; of a mirror image, form 1.
+    // Any affine map: form 0 for a rotation, form 1 for a reflection.
     int64_t matrix(const std::array<double, 12> &rows);
 
 private:
@@ -44,9 +45,9 @@ private:
     std::map<std::array<double, 12>, int64_t> matrices_;
 };
 
-// A straight line, of which readers make a spline over [0, 1].
+// A straight line, from which readers make a spline over [0, 1].
 bool is_line(const model::CurvePiece &piece) noexcept;
-// Whether there is an entity for what these are. What is read of it may differ by rounding.
+// Whether there is an entity for the shape. What is read back may differ by rounding.
 bool statable(const model::CurvePiece &piece);
 bool statable(const model::SurfaceShape &surface);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int integer_bits = 32, single_digits = 6, double_digits = 15, single_power = 38, double_power = 308;
 constexpr int line_weights = 1, version_5_3 = 11, no_standard = 0;
-// The date of nothing: readers want one, and another one on each day would make other files of the same model.
+// A fixed date: readers require one, and the current date would make files of the same model differ.
 constexpr std::string_view no_date = "19700101.000000";
 
 struct StatedUnit {
@@ -22,7 +22,7 @@ struct StatedUnit {
     double scale; // of the model space: readers divide the unit by it
 };
 
-// The scale of a unit by which readers find the same metres again, if there is one.
+// Finds the scale of a unit from which readers compute exactly the same metres, if there is one.
 bool found_again(const Unit &unit, double metres, double &scale) noexcept {
     const double near = unit.metres / metres;
     for (const double candidate : {near, std::nextafter(near, 0.0), std::nextafter(near, infinity)}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The global section as it is written.
+// Writes the global section.
 #pragma once
 
 #include "io/iges/write/file_text.h"
@@ -11,12 +11,12 @@ namespace nrb::io::iges {
 struct GlobalFacts {
     std::string product;
     double metres;     // of the unit of length
-    double resolution; // distances that are less than it count as none, in that unit
-    double extent;     // no coordinate is larger; 0: not stated
+    double resolution; // smaller distances count as 0; in that unit
+    double extent;     // upper bound of the coordinates; 0: not stated
 };
 
-// Without a date, a place and other names, so that the same model is the same file. A unit that has no number is one of them in another
-// model space scale.
+// Writes no date, place or other names, so that the same model gives the same file. A unit without a flag is
+// expressed as one that has a flag, with a model space scale.
 Parameters write_global(const GlobalFacts &facts);
 
 } // namespace nrb::io::iges

@@ -28,11 +28,11 @@ using iges::GlobalFacts;
 using iges::StatedShapes;
 
 constexpr int closed_form = 1, open_form = 2;
-// Of what has no faces, in metres.
+// The resolution of a model without faces, in metres.
 constexpr double usual_resolution = 1e-7;
 
-// The least tolerance of the faces, because readers take what is less than it for nothing; but no less than that from which they
-// find those of the others.
+// The resolution is the least tolerance of the faces, because readers treat smaller distances as 0; but it
+// must be large enough that readers find the larger tolerances of other faces from it.
 double resolution_of(const model::Model &model, double metres) {
     double least = infinity, needed = 0;
     for (const model::ModelFace &face : model.faces) {
@@ -45,7 +45,7 @@ double resolution_of(const model::Model &model, double metres) {
     return std::isfinite(least) ? std::max(least, needed) : usual_resolution / metres;
 }
 
-// No coordinate of space is larger, control points included.
+// The largest coordinate in space, including control points.
 double extent_of(const model::Model &model) {
     double extent = 0;
     const auto cover = [&extent](const Spline &spline) {
@@ -86,7 +86,7 @@ public:
         levels_.write_names();
         return text_.file(write_global(facts));
     }
-    // Edges and faces, but nothing that they are part of.
+    // Edges and faces without what they are part of.
     std::string topology_alone(const GlobalFacts &facts) {
         faces_.run();
         return text_.file(write_global(facts));
@@ -161,7 +161,7 @@ void check_splines(const model::Model &model) {
     }
 }
 
-// The edges without faces, with the shapes that are read again.
+// Confirms the shapes of edges by reading back a file without faces.
 void confirm_edges(const Topology &topology, const GlobalFacts &facts, StatedShapes &stated) {
     if (stated.any_edge()) {
         const model::Model none;

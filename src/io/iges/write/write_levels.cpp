@@ -10,9 +10,9 @@ namespace nrb::io::iges {
 namespace {
 
 constexpr int level_list_form = 1, level_name_form = 3;
-constexpr int64_t largest_name = 999'999; // so that there are others above it in eight columns
+constexpr int64_t largest_name = 999'999; // leaves room for larger numbers in eight columns
 
-// The number that a name is, as readers would write it; 0 for others.
+// The number that a name is, in the form in which readers would write it; 0 for other names.
 int64_t number_of(const std::string &name) {
     int64_t number = 0;
     const bool is_number = parse_integer(name, number) && number > 0 && number <= largest_name;

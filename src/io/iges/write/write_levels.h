@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers as levels.
+// Writes layers as levels.
 #pragma once
 
 #include "io/iges/write/file_text.h"
@@ -13,13 +13,15 @@ namespace nrb::io::iges {
 
 class LevelWriter {
 public:
-    // layers: the names of the model. Each gets a number, all of them rising: its own name if that is one, else the next one.
+    // layers: the names of the model's layers. Each gets a number, and the numbers increase: its own name if
+    // that is a number above the last one, else the next number.
     LevelWriter(FileText &text, std::span<const std::string> layers);
 
-    // Properties that name the levels whose number does not.
+    // Writes a property with the name of each level whose name is not its number.
     void write_names();
 
-    // For the head of an entity: the number of a level, 0 for none, minus a pointer to a property for several.
+    // For the directory entry of an entity: the number of a level, 0 for none, minus a pointer to a property
+    // for several.
     int64_t level(const std::vector<int64_t> &layers);
 
 private:

@@ -7,7 +7,7 @@
 namespace nrb::io::iges {
 namespace {
 
-// The first index runs fastest in a file, the last one here.
+// The first index varies fastest in a file, the last one in this library.
 template <class Visit>
 void for_each_point(const Spline &spline, const Visit &visit) {
     const int64_t m = spline.count(0), n = spline.axes() == 2 ? spline.count(1) : 1;
@@ -25,13 +25,13 @@ void for_each_axis(const Spline &spline, const Visit &visit) {
     }
 }
 
-// Highest indices, degrees, and what the numbers have in common.
+// Highest indices, degrees, and the properties.
 void put_properties(FileText &text, const Spline &spline) {
     const auto flag = [](bool value) { return value ? 1 : 0; };
     for_each_axis(spline, [&](int k) { text.put(spline.count(k) - 1); });
     for_each_axis(spline, [&](int k) { text.put(spline.axis(k).degree()); });
     if (spline.axes() == 1) {
-        text.put(flag(spline.dim() == 2)); // whether it is known to lie in a plane
+        text.put(flag(spline.dim() == 2)); // whether it is known to be planar
     }
     for_each_axis(spline, [&](int k) { text.put(flag(closed(spline, k))); });
     text.put(flag(!has_weights(spline)));

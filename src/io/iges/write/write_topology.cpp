@@ -15,7 +15,7 @@ namespace {
 constexpr int edge_of_loop = 0, vertex_of_loop = 1;
 constexpr int list_form = 1, loop_form = 1, face_form = 1;
 
-// By its control points; around a closed axis there is no end.
+// By its control points; a closed axis has no ends.
 bool is_inside(const Spline &curve, const face::Covering &covering) {
     for (int64_t i = 0; i < curve.point_count(); ++i) {
         for (const int k : {0, 1}) {
@@ -57,7 +57,7 @@ void TopologyWriter::run() {
     }
 }
 
-// Those of the topology, then those that only faces have.
+// The vertices of the topology, then those that only faces have.
 void TopologyWriter::add_vertices() {
     std::vector<Vector3> all = topology_.vertices;
     for (size_t i = 0; i < model_.faces.size(); ++i) {
@@ -102,7 +102,7 @@ void TopologyWriter::add_edges(Steps &steps) {
     text_.end();
 }
 
-// Once, however many faces have it.
+// Each surface is written once, however many faces share it.
 int64_t TopologyWriter::surface(size_t index) {
     const model::ModelFace &face = model_.faces[index];
     const bool shape = stated_.faces[index];
@@ -117,8 +117,9 @@ int64_t TopologyWriter::surface(size_t index) {
     return known->second;
 }
 
-// For readers only those that are where the edge is, and in the domain where the tolerance of the file, with which they begin, wants
-// that. On surfaces that are no splines the standard has other parameters. Readers make the others.
+// Writes a curve in the domain only if it lies under the edge, and inside the domain unless the tolerance of
+// the file, with which readers begin, suffices for the face. Surfaces that are not splines have other
+// parameters in the standard, so their curves are left out. Readers make the curves that are missing.
 int64_t TopologyWriter::parameter_curve(size_t index, const OrientedEdge &edge) {
     const face::Face &face = *model_.faces[index].face;
     const SplinePtr &along = topology_.edges[edge.edge].curve;
@@ -144,7 +145,7 @@ int64_t TopologyWriter::loop(size_t face, size_t index) {
         if (curves[i] == 0) {
             text_.put(0);
         } else {
-            text_.put(1, 0, curves[i]); // one curve, not said to be an iso-curve
+            text_.put(1, 0, curves[i]); // one curve, not marked as isoparametric
         }
     }
     text_.end();
@@ -176,7 +177,7 @@ void TopologyWriter::add_face(size_t index) {
         loops.push_back(vertex_loop(vertex));
     }
     text_.begin(faces_[index], {face_type, face_form, dependent, coloured, 0, level});
-    text_.put(on, std::ssize(loops), loops.size() == 1 ? 1 : 0); // whether the first one is the outer one
+    text_.put(on, std::ssize(loops), loops.size() == 1 ? 1 : 0); // whether the first loop is the outer one
     for (const int64_t pointer : loops) {
         text_.put(pointer);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices, edges and faces as they are written.
+// Writes vertices, edges and faces.
 #pragma once
 
 #include "base/watch.h"
@@ -13,10 +13,10 @@
 
 namespace nrb::io::iges {
 
-// What is written as something else than its spline.
+// The edges and faces that are written with a shape instead of their spline.
 struct StatedShapes {
-    std::vector<std::optional<model::CurvePiece>> edges; // of the topology
-    std::vector<bool> faces; // of the model: whether with the shape of the surface
+    std::vector<std::optional<model::CurvePiece>> edges; // by edge of the topology
+    std::vector<bool> faces; // by face of the model: whether with the shape of the surface
 
     [[nodiscard]] bool any_edge() const noexcept;
     [[nodiscard]] bool any_face() const noexcept;
@@ -28,10 +28,10 @@ public:
     TopologyWriter(GeometryWriter &geometry, LevelWriter &levels, const model::Model &model,
                    const Topology &topology, const StatedShapes &stated, double resolution);
 
-    // One list of vertices, one of edges, and the faces in the order of the model.
+    // Writes one list of vertices, one of edges, and the faces in the order of the model.
     void run();
 
-    // The pointers of the faces; the first of them, after which they come one by one.
+    // The pointers of the faces, which are consecutive.
     [[nodiscard]] const std::vector<int64_t> &faces() const noexcept { return faces_; }
 
 private:
@@ -53,7 +53,7 @@ private:
     const StatedShapes &stated_;
     double resolution_;
     int64_t vertex_list_ = 0, edge_list_ = 0;
-    std::vector<std::vector<int64_t>> lone_vertices_; // of faces, from 1
+    std::vector<std::vector<int64_t>> lone_vertices_; // of faces, numbered from 1
     std::map<const void *, int64_t> surfaces_;
     std::map<std::array<double, 3>, int64_t> colours_;
     std::vector<int64_t> faces_;

@@ -11,7 +11,7 @@ namespace nrb::inline numeric {
 
 namespace {
 
-// Right-hand sides that are solved together: as many as keep a band of layers in the cache.
+// Number of right-hand sides solved together: as many as keep a band of them in the cache.
 constexpr int64_t most_together = 256;
 
 // target -= factor * source
@@ -36,7 +36,7 @@ double *BandedLu::next_row(int64_t i, int64_t first_column) noexcept {
     return place < 0 || place >= width_ ? nullptr : entries_.data() + i * width_;
 }
 
-// What the row above has after its diagonal may become an entry of this one.
+// Entries of the row above after its diagonal may fill in entries of this row.
 void BandedLu::set_reach(int64_t i) noexcept {
     const int place = places_[static_cast<size_t>(i)];
     const double *const row = entries_.data() + i * width_;

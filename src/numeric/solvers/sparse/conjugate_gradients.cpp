@@ -65,11 +65,11 @@ bool ConjugateGradients::solve(std::vector<double> &right, int most,
     return false;
 }
 
-// Of the combinations of known solutions the one nearest to this one, in the norm of the energy: by steps towards each, made conjugate
-// to those before.
+// The combination of known solutions nearest to the solution sought, in the energy norm: by a step along each
+// known solution, made conjugate to those before.
 std::vector<double> ConjugateGradients::closest_of(const std::deque<ShiftedSolution> &known,
                                                    const std::vector<double> &right) const {
-    constexpr double least = 1e-12; // of the energy of a solution: less is lost in the errors of the others
+    constexpr double least = 1e-12; // relative to the energy of the solution: less is lost in rounding
     std::vector<double> x(right.size(), 0.0);
     std::vector<Direction> directions;
     for (const ShiftedSolution &solution : known) {
@@ -85,13 +85,13 @@ std::vector<double> ConjugateGradients::closest_of(const std::deque<ShiftedSolut
         }
         next.energy = std::move(energy);
         add(x, quotients(dots(next.step, right), next.energy),
-            next.step); // conjugate to x: right is as good as what is left of it
+            next.step); // conjugate to x: the right-hand side serves as well as the residual
         directions.push_back(std::move(next));
     }
     return x;
 }
 
-// (K + rho D) x = b + (rho - s) D x for a solution x for s.
+// If x solves the system for s, then (K + rho D) x = b + (rho - s) D x.
 ConjugateGradients::Direction ConjugateGradients::direction_to(const ShiftedSolution &solution,
                                                                const std::vector<double> &right) const {
     Direction direction{solution.x, right, {}};
@@ -119,7 +119,7 @@ std::vector<double> ConjugateGradients::dots(const std::vector<double> &a,
 
 bool ConjugateGradients::is_small(const std::vector<double> &residual,
                                   const std::vector<double> &size) const {
-    constexpr double enough = 1e-10; // of the right side: the energy is off by its square
+    constexpr double enough = 1e-10; // of the right-hand side: the energy has its square as error
     const std::vector<double> squares = dots(residual, residual);
     for (size_t c = 0; c < squares.size(); ++c) {
         if (!(squares[c] <= enough * enough * size[c])) {

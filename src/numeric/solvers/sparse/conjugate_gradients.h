@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conjugate gradients that begin from what is known of systems nearby.
+// Conjugate gradients that start from known solutions of nearby systems.
 #pragma once
 
 #include "numeric/solvers/sparse/sparse_ldlt.h"
@@ -10,25 +10,28 @@
 
 namespace nrb::inline numeric {
 
-// x of (K + rho D) x = b.
+// A solution x of (K + rho D) x = b.
 struct ShiftedSolution {
     double rho;
     std::vector<double> x;
 };
 
-// Solves (K + rho D) x = b for several right sides at once, each with steps of its own (M. Hestenes, E. Stiefel 1952).
+// Solves (K + rho D) x = b for several right-hand sides at once, each with its own step lengths (M. Hestenes,
+// E. Stiefel 1952).
 class ConjugateGradients {
 public:
-    // matrix: K + rho D with ascending rows; factors: of K + s D for an s near rho, to precondition with, or null for the diagonal of
-    // the matrix. diagonal: D. The last two must outlive this.
+    // matrix: K + rho D with increasing row indices. diagonal: D. factors: those of K + s D for an s near
+    // rho, as preconditioner, or null to precondition with the diagonal of the matrix. `diagonal` and
+    // `factors` must outlive this object.
     ConjugateGradients(SparseColumns matrix, double rho, std::span<const double> diagonal,
                        const SparseLdlt *factors, int64_t width);
 
-    // Replaces the right side by the solution; false if it is not found in `most` steps. known: solutions for the same right side.
+    // Replaces the right-hand sides by the solution; false if it is not found in `most` steps. known:
+    // solutions for the same right-hand sides.
     bool solve(std::vector<double> &right, int most, const std::deque<ShiftedSolution> &known);
 
 private:
-    // A direction and its product with the matrix, and the products of both.
+    // A search direction p, its image A p, and the energy p.A p for each right-hand side.
     struct Direction {
         std::vector<double> step, image, energy;
     };
@@ -36,10 +39,10 @@ private:
                                                  const std::vector<double> &right) const;
     [[nodiscard]] Direction direction_to(const ShiftedSolution &solution,
                                          const std::vector<double> &right) const;
-    // By right sides.
+    // Dot products, one for each right-hand side.
     [[nodiscard]] std::vector<double> dots(const std::vector<double> &a, const std::vector<double> &b) const;
     [[nodiscard]] bool is_small(const std::vector<double> &residual, const std::vector<double> &size) const;
-    // to += part * of.
+    // to += part * of, with one factor for each right-hand side.
     void add(std::vector<double> &to, const std::vector<double> &part,
              const std::vector<double> &of) const noexcept;
     void precondition(std::vector<double> &x) const;

@@ -17,7 +17,7 @@
 #define NURBS_DENSE_PRODUCT_GROUP
 namespace nrb::inline numeric {
 
-// Columns of c that are computed together: what belongs to them in b lies side by side.
+// Number of columns of c computed together; the elements of b that belong to them are stored side by side.
 inline constexpr int64_t product_group = 4;
 
 } // namespace nrb::inline numeric
@@ -31,7 +31,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using ProductLanes = hn::ScalableTag<double>;
 using ProductVector = hn::Vec<ProductLanes>;
 
-// `vectors` vectors of rows by a group of columns, kept in registers.
+// A tile of `vectors` vectors of rows by a group of columns, kept in registers.
 template <int vectors, int64_t columns>
 HWY_INLINE void product_tile(const ColumnMajor<double> &c, const ColumnMajor<const double> &a,
                              const double *b, int64_t row, int64_t column) {
@@ -64,7 +64,7 @@ HWY_INLINE void product_tile(const ColumnMajor<double> &c, const ColumnMajor<con
     }
 }
 
-// Rows that fill no vector.
+// For the rows that do not fill a vector.
 HWY_INLINE void product_element(const ColumnMajor<double> &c, const ColumnMajor<const double> &a,
                                 const double *b, int64_t row, int64_t column) {
     double sum = c.values[column * c.stride + row];
@@ -122,7 +122,7 @@ namespace nrb::inline numeric {
 
 namespace {
 
-// Groups of columns of c, each [depth][product_group].
+// Packs b into groups of columns of c, each [depth][product_group].
 void pack(const ColumnMajor<const double> &b, std::vector<double> &packed) {
     packed.assign(
         static_cast<size_t>((b.rows + product_group - 1) / product_group * product_group * b.columns), 0.0);
@@ -141,7 +141,7 @@ NURBS_FORMS(subtract_packed);
 
 void subtract_product(const ColumnMajor<double> &c, const ColumnMajor<const double> &a,
                       const ColumnMajor<const double> &b, bool lower) {
-    constexpr int64_t deepest = 64; // of what is kept in the cache
+    constexpr int64_t deepest = 64; // the depth of a block that stays in the cache
     std::vector<double> packed;
     for (int64_t first = 0; first < a.columns; first += deepest) {
         const int64_t depth = std::min(deepest, a.columns - first);

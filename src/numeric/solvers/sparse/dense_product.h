@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Products of dense matrices, by which the time of sparse factors passes.
+// Products of dense matrices, which take most of the time of sparse factorisations.
 #pragma once
 
 #include <cstdint>
 
 namespace nrb::inline numeric {
 
-// By columns, whose first elements are `stride` apart.
+// A dense matrix in column-major order; the columns start `stride` elements apart.
 template <class Number>
 struct ColumnMajor {
     Number *values;
     int64_t rows, columns, stride;
 };
 
-// c -= a b^T for c[rows][columns], a[rows][depth] and b[columns][depth]; with `lower` at least the elements on the diagonal and
-// below, and no column but those of c. Each element is the result of depth products that are subtracted one after the
-// other, each rounded: the same on all processors.
+// c -= a b^T for c[rows][columns], a[rows][depth] and b[columns][depth]. With `lower`, at least the elements
+// on and below the diagonal are computed, and no column outside c is touched. Each element is computed by
+// subtracting depth products one after the other, each operation rounded: the result is the same on all
+// processors.
 void subtract_product(const ColumnMajor<double> &c, const ColumnMajor<const double> &a,
                       const ColumnMajor<const double> &b, bool lower);
 

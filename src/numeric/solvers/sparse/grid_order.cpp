@@ -24,7 +24,7 @@ public:
     [[nodiscard]] std::vector<int64_t> take() noexcept { return std::move(order_); }
 
 private:
-    // Without its first layers a ring is an open axis.
+    // Without its first layers, a periodic axis is an open one.
     void open_rings(size_t k, Index first, const Index &end) {
         if (k == axes_.size()) {
             return divide(first, end);
@@ -52,7 +52,7 @@ private:
         append(layers, layers_end);
     }
 
-    // In units of the reach.
+    // The axis along which the part is longest, in units of the reach.
     [[nodiscard]] size_t longest(const Index &first, const Index &end) const noexcept {
         size_t best = 0;
         for (size_t k = 1; k < first.size(); ++k) {
@@ -73,7 +73,7 @@ private:
         }
     }
 
-    static constexpr int64_t smallest = 4; // parts that are divided, in units of the reach
+    static constexpr int64_t smallest = 4; // smaller parts are not divided; in units of the reach
 
     const std::array<GridAxis, 3> &axes_;
     std::vector<int64_t> order_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In which order to eliminate the unknowns of a grid, each of which is coupled with those near it.
+// A fill-reducing elimination order for the unknowns of a grid, each coupled with its neighbours.
 #pragma once
 
 #include <array>
@@ -10,12 +10,13 @@ namespace nrb::inline numeric {
 
 struct GridAxis {
     int64_t count = 1;
-    int64_t reach = 0;     // points that are coupled lie at most so far apart
-    bool periodic = false; // the last points are coupled with the first ones
+    int64_t reach = 0;     // coupled points are at most this far apart
+    bool periodic = false; // the last points are coupled with the first
 };
 
-// Nested dissection (A. George, SIAM J. Numer. Anal. 10 (1973)): layers as many as the reach divide the grid into two
-// parts that are not coupled; they come after both parts. Points are numbered with the last axis fastest.
+// Nested dissection (A. George, SIAM J. Numer. Anal. 10 (1973)): a separator of as many layers as the reach
+// divides the grid into two uncoupled parts, and is eliminated after both. Points are numbered with the last
+// axis fastest.
 std::vector<int64_t> grid_order(const std::array<GridAxis, 3> &axes);
 
 } // namespace nrb::inline numeric

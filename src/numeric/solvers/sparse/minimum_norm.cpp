@@ -16,10 +16,10 @@ namespace nrb::inline numeric {
 
 namespace {
 
-constexpr int64_t work_of_a_rotation = 250; // found in a queue
+constexpr int64_t work_of_a_rotation = 250; // it is found in a queue
 constexpr int64_t none = -1;
 
-// By the last unknown, then the first.
+// Order by the last unknown, then by the first.
 std::vector<int64_t> order_of(const SparseRows &rows) {
     std::vector<int64_t> order(static_cast<size_t>(rows.size()));
     std::iota(order.begin(), order.end(), 0);
@@ -34,7 +34,7 @@ std::vector<int64_t> order_of(const SparseRows &rows) {
 
 } // namespace
 
-// One equation after the other.
+// Reduces one equation after the other.
 class MinimumNorm::Reduction {
 public:
     Reduction(MinimumNorm &result, double threshold)
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    // An unknown of the row, of which rotations after `last` are to come.
+    // Registers an unknown of the row, to which the rotations after `last` are still to be applied.
     void meet(int64_t column, int64_t last) {
         const auto at = static_cast<size_t>(column);
         if (!marks_[at]) {
@@ -95,7 +95,8 @@ private:
         }
     }
 
-    // The part along equations before this one goes to L, the rest into its last unknown.
+    // The components along earlier equations become a row of L; the remainder is rotated into its last
+    // unknown.
     void finish(int64_t row) {
         rest_.clear();
         std::vector<double> values;
@@ -145,9 +146,9 @@ private:
     std::vector<char> marks_;
     std::vector<int64_t> seen_; // unknowns of the row
     std::vector<int64_t> rest_;
-    std::vector<int64_t> number_of_;           // the equation that ended in an unknown
+    std::vector<int64_t> number_of_;           // the equation that ended in each unknown
     std::vector<std::vector<int64_t>> turned_; // the rotations of each unknown
-    using Next = std::pair<int64_t, int64_t>;  // a rotation, and an unknown of the row that it turns
+    using Next = std::pair<int64_t, int64_t>;  // a rotation, and an unknown of the row that it affects
     std::priority_queue<Next, std::vector<Next>, std::greater<>> queue_;
 };
 

@@ -16,7 +16,7 @@ using sparse::at;
 
 using Column = Eigen::Map<Eigen::VectorXd>;
 
-// A symmetric matrix of which the lower half counts, by columns.
+// A frontal matrix: symmetric, only the lower triangle is used, stored by columns.
 class Front {
 public:
     void reset(int64_t size) {
@@ -26,8 +26,8 @@ public:
     [[nodiscard]] int64_t size() const noexcept { return size_; }
     double *column(int64_t j) noexcept { return values_.data() + j * size_; }
 
-    // Leaves L in the first columns, and what they do to the others in those. Returns -1, or a column whose pivot is not
-    // above its floor.
+    // Eliminates the first `columns` columns, which then hold L; the others hold the Schur complement.
+    // Returns -1, or the column whose pivot is not above its floor.
     int64_t eliminate(int64_t columns, std::span<const double> floors, double *pivots) {
         constexpr int64_t wide = 32;
         for (int64_t first = 0; first < columns; first += wide) {
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    // Columns of the panel are L D until it is finished.
+    // Until the panel is finished its columns hold L D.
     int64_t eliminate_panel(int64_t first, int64_t end, std::span<const double> floors, double *pivots) {
         for (int64_t j = first; j < end; ++j) {
             double *const own = column(j);
@@ -145,7 +145,7 @@ private:
             }
         }
         count_work(size * size);
-        update = std::vector<double>(); // which gives its memory back
+        update = std::vector<double>(); // releases the memory
     }
 
     void keep_update(int64_t s) {
@@ -162,12 +162,12 @@ private:
     const SparseColumns &matrix_;
     const Supernodes &supernodes_;
     std::vector<std::vector<int32_t>> children_;
-    std::vector<std::vector<double>> updates_; // of those whose parents come later
+    std::vector<std::vector<double>> updates_; // of supernodes whose parents come later
     std::vector<int32_t> place_;               // of an unknown in the front
     Front front_;
 };
 
-// The rows below a supernode are brought together, so that its columns read neighbours.
+// Gathers the rows below a supernode, so that its columns read contiguous memory.
 class BlockSolution {
 public:
     BlockSolution(const Supernodes &supernodes, std::span<const int64_t> starts,
@@ -226,7 +226,7 @@ private:
     std::span<const double> values_;
     double *x_;
     int64_t width_;
-    Eigen::MatrixXd below_; // [rows][width], by right sides
+    Eigen::MatrixXd below_; // [rows][width], one column for each right-hand side
 };
 
 } // namespace

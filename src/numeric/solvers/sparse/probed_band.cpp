@@ -9,7 +9,7 @@ using sparse::at;
 
 namespace {
 
-// Of columns cut off at the ends of the matrix, all elements 0.
+// The pattern of the band, clipped at the ends of the matrix, with all elements 0.
 SparseColumns empty_columns(int64_t size, int64_t reach) {
     SparseColumns columns;
     columns.starts.push_back(0);
@@ -25,7 +25,7 @@ SparseColumns empty_columns(int64_t size, int64_t reach) {
 
 } // namespace
 
-// An element is the mean of what two products show of it.
+// Each element is the mean of the two values that the products give for it and for its mirror image.
 std::optional<SparseLdlt>
 probed_band(int64_t size, int64_t reach,
             const std::function<std::vector<double>(const std::vector<double> &)> &product) {

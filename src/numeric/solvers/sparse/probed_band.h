@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Factors of what is near the diagonal of a symmetric matrix of which only products are known.
+// Factors of the band around the diagonal of a symmetric matrix that is known only through products: a banded
+// preconditioner.
 #pragma once
 
 #include "numeric/solvers/sparse/sparse_ldlt.h"
@@ -11,9 +12,10 @@
 
 namespace nrb::inline numeric {
 
-// The elements at most `reach` from the diagonal of a matrix whose others are small: one product shows those of every column
-// number 2 reach + 1 (A. Curtis, M. Powell, J. Reid, J. Inst. Math. Appl. 13 (1974)), with errors of the size of the others.
-// All elements of a matrix that has no others. Nothing where they are no positive matrix.
+// Recovers the elements within `reach` of the diagonal, for a matrix whose other elements are small. One
+// product yields every (2 reach + 1)-th column (A. Curtis, M. Powell, J. Reid, J. Inst. Math. Appl. 13
+// (1974)), with errors of the size of the other elements; a matrix without others is recovered exactly. Empty
+// if the band is not positive definite.
 std::optional<SparseLdlt>
 probed_band(int64_t size, int64_t reach,
             const std::function<std::vector<double>(const std::vector<double> &)> &product);

@@ -22,8 +22,8 @@ double rounded(const DoubleDouble &x) noexcept {
     return x.high;
 }
 
-// Of a supernode with the rows R below its columns J, after those behind it: Y = L_RJ L_JJ^-1, Z_RJ = -Z_RR Y and
-// Z_JJ = L_JJ^-T D^-1 L_JJ^-1 - Y^T Z_RJ.
+// The block recurrence for a supernode with columns J and the rows R below them, after all later supernodes.
+// With Z the inverse: Y = L_RJ L_JJ^-1, Z_RJ = -Z_RR Y and Z_JJ = L_JJ^-T D^-1 L_JJ^-1 - Y^T Z_RJ.
 class BlockInverse {
 public:
     BlockInverse(const SparseLdlt &factors, std::span<double> values, std::span<double> diagonal)
@@ -48,12 +48,12 @@ private:
         Matrix inverse = Matrix::Identity(n, n); // of L_JJ
         own_.triangularView<Eigen::UnitLower>().solveInPlace(inverse);
         count_work(n * n * n / 3);
-        const Matrix upper = -inverse.transpose(), factors = minus(upper, below_, false); // Y^T
+        const Matrix upper = -inverse.transpose(), factors = minus(upper, below_, false); // factors = Y^T
         inverse_below_ = minus(behind_, factors, false);
         square_ = minus(upper * pivots_.cwiseInverse().asDiagonal(), -upper, true);
         subtract(factors, inverse_below_.transpose(), true, square_);
     }
-    // c - a b^T.
+    // c -= a b^T.
     static void subtract(const Matrix &a, const Matrix &b, bool lower, Matrix &c) {
         subtract_product({c.data(), c.rows(), c.cols(), c.rows()}, {a.data(), a.rows(), a.cols(), a.rows()},
                          {b.data(), b.rows(), b.cols(), b.rows()}, lower);
@@ -75,7 +75,7 @@ private:
             std::copy_n(from + (n - 1 - j), r, below_.col(j).data());
         }
     }
-    // Z_RR, whose elements are in columns that are done.
+    // Reads Z_RR, whose elements are in columns that are already done.
     void read_inverse(int64_t s) {
         const auto rows = supernodes_.below(s);
         const auto r = std::ssize(rows);
@@ -109,7 +109,7 @@ private:
     const SparseLdlt &factors_;
     const Supernodes &supernodes_;
     std::span<double> values_, diagonal_;
-    std::vector<int64_t> place_;                           // in R
+    std::vector<int64_t> place_;                           // index in R
     Matrix own_, below_, behind_, inverse_below_, square_; // L_JJ, L_RJ, Z_RR, Z_RJ, Z_JJ
     Eigen::VectorXd pivots_;
 };
@@ -130,7 +130,8 @@ SelectedInverse::SelectedInverse(const LdltOf<Number> &factors)
     invert_columns(factors);
 }
 
-// Z_ij = - sum_k Z_ik L_kj for i > j, and Z_jj = 1 / d_j - sum_k Z_jk L_kj, over the elements k of column j of L.
+// Z_ij = - sum_k Z_ik L_kj for i > j, and Z_jj = 1 / d_j - sum_k Z_jk L_kj, over the nonzeros k of column j
+// of L.
 template <class Number>
 void SelectedInverse::invert_columns(const LdltOf<Number> &factors) {
     std::vector<double> column(diagonal_.size(), 0.0), sums(diagonal_.size(), 0.0); // 0 outside the column
@@ -158,7 +159,7 @@ void SelectedInverse::invert_columns(const LdltOf<Number> &factors) {
             diagonal -= values_[at(p)] * column[at(rows_[at(p)])];
         }
         diagonal_[at(j)] = diagonal;
-        for (int64_t p = first; p < end; ++p) { // what lies outside column j was added to as well
+        for (int64_t p = first; p < end; ++p) { // sums outside column j were added to as well
             const int64_t k = rows_[at(p)];
             column[at(k)] = sums[at(k)] = 0;
             for (int64_t r = starts_[at(k)]; r < starts_[at(k) + 1]; ++r) {

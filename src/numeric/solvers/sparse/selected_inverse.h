@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Those elements of the inverse of a sparse symmetric matrix where its factor is not 0.
+// The elements of the inverse of a sparse symmetric matrix at the nonzero positions of its factor.
 #pragma once
 
 #include "numeric/solvers/sparse/sparse_ldlt.h"
@@ -8,17 +8,17 @@
 
 namespace nrb::inline numeric {
 
-// From the last column to the first one (K. Takahashi, J. Fagan, M.-S. Chin, "Formation of a sparse bus impedance matrix",
-// 8th PICA Conference (1973)); the elements that the recurrence reads are among those that it makes. Cost: that of the
-// factorisation, twice. Supernodes are treated as dense blocks.
+// Takahashi's recurrence, from the last column to the first (K. Takahashi, J. Fagan, M.-S. Chin, "Formation
+// of a sparse bus impedance matrix", 8th PICA Conference (1973)); it reads only elements that it has itself
+// computed. Cost: twice that of the factorisation. Supernodes are treated as dense blocks.
 class SelectedInverse {
 public:
     template <class Number>
     explicit SelectedInverse(const LdltOf<Number> &factors);
 
-    // sum_ij inverse_ij matrix_ij, for a matrix whose elements lie where those of the factorised one did.
+    // sum_ij inverse_ij matrix_ij, for a matrix with the pattern of the factorised one.
     [[nodiscard]] double trace_of_product(const SparseColumns &matrix) const noexcept;
-    // 0 where it is not known.
+    // 0 where the element is not known.
     [[nodiscard]] double element(int64_t i, int64_t j) const noexcept;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sparse symmetric matrices.
+// Sparse symmetric matrices in compressed column form.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace nrb::inline numeric {
 
-// A symmetric matrix by columns: the rows of column j and their values are those from starts[j] to starts[j + 1].
-// Rows ascend, and all diagonal elements are there.
+// A symmetric matrix by columns: the row indices and values of column j are those from starts[j] to starts[j
+// + 1]. Row indices increase, and all diagonal elements are present.
 template <class Number>
 struct ColumnsOf {
     std::vector<int64_t> starts;
@@ -22,7 +22,7 @@ using SparseColumns = ColumnsOf<double>;
 
 namespace sparse {
 
-// Numbers of unknowns have signs, places in vectors have none.
+// Indices of unknowns are signed, positions in vectors are not.
 constexpr size_t at(int64_t i) noexcept {
     return static_cast<size_t>(i);
 }

@@ -23,8 +23,8 @@ double leading(const DoubleDouble &x) noexcept {
 
 } // namespace
 
-// Visits the elements of row k of L left of the diagonal: from each element of the matrix the tree is followed up to
-// a node that was visited before.
+// Visits the nonzeros of row k of L left of the diagonal: from each element of the matrix it follows the
+// elimination tree up to a node already visited.
 template <class Number>
 template <class Any, class Visit>
 void LdltOf<Number>::for_each_in_row(const ColumnsOf<Any> &matrix, int32_t k, Visit &&visit) {
@@ -62,11 +62,11 @@ LdltOf<Number>::LdltOf(const ColumnsOf<Any> &pattern)
     }
 }
 
-// Where columns are long on the average; starts_ has their lengths.
+// Forms supernodes if the columns are long on average; starts_ holds their lengths.
 template <class Number>
 template <class Any>
 void LdltOf<Number>::join_columns(const ColumnsOf<Any> &pattern) {
-    constexpr int64_t longest = 24; // that are better done one by one
+    constexpr int64_t longest = 24; // longest average column length that is better treated column by column
     const auto n = static_cast<int64_t>(parent_.size());
     if (std::reduce(starts_.begin(), starts_.end(), int64_t{0}) <= longest * n) {
         return;
@@ -90,7 +90,8 @@ double LdltOf<Number>::cost() const noexcept {
     return sum;
 }
 
-// The elements of row k in an order in which each comes after those that change it; values of the matrix to work_.
+// The nonzeros of row k in an order in which each comes after those that modify it; scatters the values of
+// the matrix into work_.
 template <class Number>
 int64_t LdltOf<Number>::gather_row(const ColumnsOf<Number> &matrix, int32_t k) {
     const int64_t n = matrix.size();
@@ -114,7 +115,7 @@ int64_t LdltOf<Number>::gather_row(const ColumnsOf<Number> &matrix, int32_t k) {
 template <class Number>
 int64_t LdltOf<Number>::factorise(const ColumnsOf<Number> &matrix, std::span<const double> floors) {
     const bool first = values_.empty();
-    grow_watched(rows_, at(starts_.back())); // many systems need no factors
+    grow_watched(rows_, at(starts_.back())); // allocated here: many systems need no factors
     grow_watched(values_, at(starts_.back()));
     if constexpr (std::is_same_v<Number, double>) {
         if (!supernodes_.empty()) {

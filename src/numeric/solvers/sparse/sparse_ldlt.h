@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// L D L^T of sparse symmetric matrices.
+// L D L^T factorisation of sparse symmetric matrices.
 #pragma once
 
 #include "numeric/double_double.h"
@@ -11,36 +11,37 @@
 
 namespace nrb::inline numeric {
 
-// Up-looking, as in T. Davis, "Direct Methods for Sparse Linear Systems" (2006), chapter 4: row k of L solves a
-// triangular system with the rows before it; which of its elements are not 0 follows from the elimination tree.
-// Cost: the sum of squares of the numbers of elements in the columns of L.
-// Numbers are doubles, or have twice the precision. Doubles with many elements in a column are factorised by dense blocks.
+// Up-looking, as in T. Davis, "Direct Methods for Sparse Linear Systems" (2006), chapter 4: row k of L solves
+// a triangular system with the rows before it; the elimination tree determines its nonzeros. Cost: the sum of
+// the squares of the column counts of L. Numbers are doubles or double-doubles. Factors of doubles with long
+// columns are computed by dense blocks instead (multifrontal.h).
 template <class Number>
 class LdltOf {
 public:
-    // Finds the tree, and how many elements the columns of L have.
+    // Symbolic analysis: computes the elimination tree and the column counts of L.
     template <class Any>
     explicit LdltOf(const ColumnsOf<Any> &pattern);
 
     // Multiply-adds of a factorisation.
     [[nodiscard]] double cost() const noexcept;
-    // The matrix has the pattern that was given first. Returns -1, or the first element of D that is not above its floor
-    // (none: 0), behind which there are no factors.
+    // Numerical factorisation; the matrix has the pattern given to the constructor. Returns -1, or the index
+    // of the first element of D that is not above its floor (no floors: 0); then there are no valid factors
+    // from that element on.
     int64_t factorise(const ColumnsOf<Number> &matrix, std::span<const double> floors = {});
-    // Solves for `width` right sides side by side, in place: x[size][width].
+    // Solves for `width` right-hand sides stored side by side, in place: x[size][width].
     void solve(Number *x, int64_t width) const;
     // L without its diagonal, by columns, and D.
     [[nodiscard]] std::span<const int64_t> starts() const noexcept { return starts_; }
     [[nodiscard]] std::span<const int32_t> rows() const noexcept { return rows_; }
     [[nodiscard]] std::span<const Number> values() const noexcept { return values_; }
     [[nodiscard]] std::span<const Number> diagonal() const noexcept { return diagonal_; }
-    // Those that L is made of; none where its columns are short.
+    // The supernodes of L; empty if its columns are short.
     [[nodiscard]] const Supernodes &supernodes() const noexcept { return supernodes_; }
 
 private:
     template <class Any>
     void join_columns(const ColumnsOf<Any> &pattern);
-    void fill_rows() noexcept; // with those of the supernodes
+    void fill_rows() noexcept; // with the rows of the supernodes
     int64_t factorise_rows(const ColumnsOf<Number> &matrix, std::span<const double> floors);
     template <class Any, class Visit>
     void for_each_in_row(const ColumnsOf<Any> &matrix, int32_t k, Visit &&visit);
@@ -49,12 +50,12 @@ private:
     Supernodes supernodes_;
     std::vector<int32_t> parent_; // in the elimination tree, -1: a root
     std::vector<int64_t> starts_; // of the columns of L
-    std::vector<int64_t> filled_; // elements of each column so far
+    std::vector<int64_t> filled_; // end of the filled part of each column
     std::vector<int32_t> rows_;
     std::vector<Number> values_;
     std::vector<Number> diagonal_;
-    std::vector<int32_t> flags_; // the row that saw a node last
-    std::vector<int32_t> path_;  // the elements of a row, from the back in the order of the tree
+    std::vector<int32_t> flags_; // the last row that visited a node
+    std::vector<int32_t> path_;  // the elements of a row, stored from the back in tree order
     std::vector<Number> work_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Matrices of which few elements are not 0, by rows.
+// Sparse matrices by rows.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace nrb::inline numeric {
 
 class SparseRows {
 public:
-    // Elements of the last row, in any order; several of one column are added.
+    // Adds an element to the last row, in any order; elements of the same column are summed.
     void add(int64_t column, double value) { row_.push_back({column, value, row_.size()}); }
-    // Ends the row, scaled to length 1 unless it is 0; returns the length it had.
+    // Ends the row and scales it to length 1 unless it is 0; returns its length before scaling.
     double end_row();
 
     [[nodiscard]] int64_t size() const noexcept { return std::ssize(starts_) - 1; }
-    // Ascending.
+    // In increasing order.
     [[nodiscard]] std::span<const int64_t> columns(int64_t row) const noexcept { return part(columns_, row); }
     [[nodiscard]] std::span<const double> values(int64_t row) const noexcept { return part(values_, row); }
     [[nodiscard]] const std::vector<double> &all_values() const noexcept { return values_; }
@@ -31,7 +31,7 @@ private:
     struct Element {
         int64_t column;
         double value;
-        size_t number; // in the order in which they came, so that sums do not depend on the sorting
+        size_t number; // order of insertion, so that sums do not depend on the sorting
     };
     std::vector<Element> row_;
     std::vector<size_t> starts_{0};

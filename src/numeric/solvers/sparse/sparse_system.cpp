@@ -11,9 +11,9 @@ namespace nrb::inline numeric {
 
 namespace {
 
-constexpr int64_t work_of_an_entry = 8; // which is moved about in memory
+constexpr int64_t work_of_an_entry = 8; // for moving it in memory
 
-// By columns, rows in any order. New numbers by the old ones.
+// Compressed columns with unsorted rows; `number` maps each unknown to its new index.
 SparseColumns by_columns(const std::vector<Entry> &entries, const std::vector<int32_t> &number) {
     SparseColumns columns;
     columns.starts.assign(number.size() + 1, 0);
@@ -36,7 +36,8 @@ SparseColumns by_columns(const std::vector<Entry> &entries, const std::vector<in
     return columns;
 }
 
-// The transpose of a symmetric matrix is the matrix with rows that ascend; those that occur twice are added.
+// Transposing sorts the rows of each column, and leaves a symmetric matrix unchanged; entries that occur
+// twice are summed.
 SparseColumns ascending(const SparseColumns &matrix) {
     const auto n = static_cast<int32_t>(matrix.size());
     std::vector<std::vector<std::pair<int32_t, double>>> columns(static_cast<size_t>(n));
@@ -114,8 +115,8 @@ SparseColumns SparseSystem::shifted(double rho) const {
     return sum;
 }
 
-// Whether the iteration with the factors ends in few steps: the eigenvalues of the preconditioned matrix lie within the quotient of
-// both rho.
+// Whether conjugate gradients preconditioned by the factors converge in few steps: the eigenvalues of the
+// preconditioned matrix lie within a factor of the quotient of both values of rho.
 bool SparseSystem::factors_suit(double rho) const noexcept {
     const double root = std::sqrt(std::max(rho / factors_rho_, factors_rho_ / rho));
     return 2 * std::pow((root - 1) / (root + 1), few_steps) < 1e-10;

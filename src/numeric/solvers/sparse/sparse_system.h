@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sparse symmetric positive systems.
+// Sparse symmetric positive definite systems that depend on a parameter.
 #pragma once
 
 #include "numeric/solvers/sparse/conjugate_gradients.h"
@@ -11,7 +11,7 @@
 
 namespace nrb::inline numeric {
 
-// Entry (i, j) of a symmetric matrix, each with its mirror image.
+// Entry (i, j) of a symmetric matrix; its mirror image is an entry of its own.
 struct Entry {
     int64_t row;
     int64_t column;
@@ -21,21 +21,22 @@ struct Entry {
 // K x for x[unknowns][width].
 std::vector<double> times(const std::vector<Entry> &entries, const std::vector<double> &x, int64_t width);
 
-// K + rho D for many rho. Where factors cost more than many products with K, systems are solved by conjugate gradients from the best
-// combination of the last solutions, preconditioned by the diagonal; if these do not converge in some steps, as with a small rho, by the
-// factors for this rho, which then precondition the systems for others nearby.
+// Solves systems with K + rho D for many rho. Where a factorisation costs more than many products with K,
+// conjugate gradients start from the best combination of the last solutions, preconditioned by the diagonal.
+// If they do not converge in a limited number of steps, as with a small rho, the matrix for this rho is
+// factorised; the factors then precondition the systems for nearby rho.
 class SparseSystem {
 public:
-    // Entries between unknowns 0 to n - 1, a diagonal, and the order in which the unknowns are eliminated. Precondition:
-    // n < 2^31.
+    // The entries between unknowns 0 to n - 1 (K), the diagonal (D), and the elimination order of the
+    // unknowns. Precondition: n < 2^31.
     SparseSystem(const std::vector<Entry> &entries, std::vector<double> diagonal, std::vector<int64_t> order);
 
-    // x[n][width] of (K + rho D) x = right; false where a pivot is not positive.
+    // x[n][width] of (K + rho D) x = right; false if a pivot is not positive.
     [[nodiscard]] bool solve(double rho, const std::vector<double> &right, int64_t width,
                              std::vector<double> &x);
 
 private:
-    static constexpr int few_steps = 5; // that cost less than new factors
+    static constexpr int few_steps = 5; // they cost less than a new factorisation
 
     [[nodiscard]] SparseColumns shifted(double rho) const;
     [[nodiscard]] bool factors_suit(double rho) const noexcept;
@@ -43,14 +44,14 @@ private:
     bool factorise(double rho);
     void remember(double rho, std::vector<double> x);
 
-    std::vector<double> diagonal_; // in the order of elimination, as what follows
+    std::vector<double> diagonal_; // in elimination order, as the members below
     std::vector<int64_t> order_;
     SparseColumns entries_;
     std::optional<SparseLdlt> factors_;
     bool factorised_ = false; // for factors_rho_
     double factors_rho_ = 0;
     std::vector<double> right_;
-    std::deque<ShiftedSolution> known_; // for this right side
+    std::deque<ShiftedSolution> known_; // for this right-hand side
 };
 
 } // namespace nrb::inline numeric

@@ -11,11 +11,11 @@ namespace {
 
 using sparse::at;
 
-// Neighbouring columns on a path of the tree, before their rows are known.
+// Neighbouring columns on a path of the elimination tree, before their rows are known.
 struct ColumnRange {
     int32_t first, end;
-    int64_t below;   // rows
-    double elements; // of the factor that need not be 0
+    int64_t below;   // number of rows below
+    double elements; // nonzeros of the factor
 
     [[nodiscard]] double size() const noexcept {
         const double columns = end - first;
@@ -23,7 +23,7 @@ struct ColumnRange {
     }
 };
 
-// As in CHOLMOD (Y. Chen, T. Davis, W. Hager, S. Rajamanickam, ACM Trans. Math. Softw. 35 (2008)).
+// The relaxed amalgamation of CHOLMOD (Y. Chen, T. Davis, W. Hager, S. Rajamanickam, ACM TOMS 35 (2008)).
 bool worth_joining(const ColumnRange &joined) noexcept {
     const int32_t columns = joined.end - joined.first;
     const double zeros = 1 - joined.elements / joined.size();
@@ -51,7 +51,8 @@ std::vector<ColumnRange> ranges(std::span<const int32_t> parent, std::span<const
 
 } // namespace
 
-// The rows of a supernode are those of its columns in the matrix, and those of the supernodes below it in the tree.
+// The rows of a supernode are those of its columns in the matrix, and those of its children in the
+// elimination tree.
 template <class Number>
 Supernodes find_supernodes(const ColumnsOf<Number> &matrix, std::span<const int32_t> parent,
                            std::span<const int64_t> counts) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns of a sparse factor that have the same rows, so that they can be treated as a dense block.
+// Supernodes: consecutive columns of a sparse factor with the same row structure, treated as dense blocks.
 #pragma once
 
 #include "numeric/solvers/sparse/sparse_columns.h"
@@ -10,8 +10,9 @@
 
 namespace nrb::inline numeric {
 
-// Supernode s has the columns from first[s] to first[s + 1], each with those behind it in s and the rows[starts[s]] to
-// rows[starts[s + 1]] below, ascending. It is eliminated before its parent, which has the first of those rows; -1: none.
+// Supernode s consists of the columns from first[s] to first[s + 1]. Each has as rows the later columns of s
+// and rows[starts[s]] to rows[starts[s + 1]] below, which increase. The first of these belongs to the parent
+// of s, which is eliminated after s; -1: no parent.
 struct Supernodes {
     std::vector<int32_t> first;
     std::vector<int64_t> starts;
@@ -31,8 +32,8 @@ struct Supernodes {
     }
 };
 
-// Of a matrix with the elimination tree `parent` whose factor has counts[j] elements below the diagonal of column j. Narrow
-// neighbours are joined where that adds few zeros to the factor.
+// The supernodes of a matrix with the elimination tree `parent`, whose factor has counts[j] elements below
+// the diagonal in column j. Narrow neighbours are amalgamated where that adds few zeros to the factor.
 template <class Number>
 Supernodes find_supernodes(const ColumnsOf<Number> &matrix, std::span<const int32_t> parent,
                            std::span<const int64_t> counts);
