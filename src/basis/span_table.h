@@ -34,7 +34,7 @@ public:
     private:
         friend class SpanTable;
         struct Bucket {
-            double inner; // the only break in the bucket; infinity: none; NaN: several
+            double inner;   // the only break in the bucket; infinity: none; NaN: several
             int64_t before; // number of breaks in lower buckets
         };
         template <bool left>

@@ -15,9 +15,8 @@ inline constexpr std::string_view own_preprocessor = "libnurbs";
 
 struct Global {
     Delimiters delimiters;
-    std::string product; // as its sender names it
-    bool all_digits =
-        false; // its numbers have all their digits, as this library writes them
+    std::string product;        // as its sender names it
+    bool all_digits = false;    // its numbers have all their digits, as this library writes them
     double metres_per_unit = 0; // of the coordinates in the file; 0: unknown
     double resolution = 0; // smallest distance that the file distinguishes from 0, in its unit; 0: not stated
 };
