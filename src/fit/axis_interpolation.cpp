@@ -15,7 +15,8 @@ namespace nrb::fit {
 
 namespace {
 
-// Rotations leave errors of some eps of the control points: where these outweigh the data by more, nothing is met.
+// Givens rotations leave residuals of a few eps times the largest control point. Where the control points
+// exceed the data by more than this factor, the residuals are too large for the conditions to count as met.
 constexpr double most_growth = 0x1p36;
 
 void scale_rows(const std::vector<double> &scales, int64_t width, std::vector<double> &values) noexcept {
@@ -41,7 +42,8 @@ AxisInterpolation::AxisInterpolation(KnotVectorPtr knots, const Sites &sites, in
     }
 }
 
-// With factors as many as fill the registers several times; rotations make the factors again.
+// With stored factors, enough right-hand sides to fill the vector registers several times over. Rotations
+// factorise anew in every call, so that all right-hand sides should go into one.
 int64_t AxisInterpolation::best_width() const noexcept {
     constexpr int64_t many = 64;
     return direct_.has_value() ? many : std::numeric_limits<int64_t>::max();
@@ -96,7 +98,7 @@ void AxisInterpolation::factor_values() {
             fail_outside_support(i);
         }
         read(i, first, row);
-        // A function is 0 at the ends of its support, but for those of clamped ends.
+        // A basis function vanishes at the ends of its support, except at a clamped end.
         if (!(row[i - first] > 0)) {
             fail_outside_support(i);
         }
@@ -107,9 +109,9 @@ void AxisInterpolation::factor_values() {
     }
 }
 
-// Whether that is as accurate as rotations.
+// Returns whether elimination without row exchanges is as accurate as rotations.
 bool AxisInterpolation::factor_derivatives() {
-    constexpr double most = 16; // rows of values of a B-spline of some degree have as much
+    constexpr double most = 16; // rows of B-spline values reach as much at some degree
     const int p = knots_->degree();
     int64_t first = 0;
     scales_.reserve(sites_.params.size());
@@ -193,7 +195,8 @@ void AxisInterpolation::solve_transposed(std::vector<double> &values, int64_t wi
     rotate_transposed(values, width);
 }
 
-// An equation for each layer. Of a wrapped function the conditions at the end of the domain are in the border.
+// One equation per layer of control points, in the multipliers of the conditions. A basis function that is
+// wrapped round the seam has its conditions at the end of the domain in the border of the matrix.
 void AxisInterpolation::rotate_transposed(std::vector<double> &values, int64_t width) const {
     struct Element {
         int64_t condition;
@@ -220,7 +223,7 @@ void AxisInterpolation::rotate_transposed(std::vector<double> &values, int64_t w
     int64_t bandwidth = 1;
     std::for_each_n(functions.begin(), columns,
                     [&](const auto &own) { bandwidth = std::max(bandwidth, std::ssize(own)); });
-    // Where a function reaches round the whole period its conditions are no neighbours.
+    // Where the supports reach round the whole period, the conditions of a function are not consecutive.
     const int64_t border = !knots_->periodic() ? 0 : 2 * bandwidth > columns ? columns : bandwidth - 1;
     BandedLeastSquares system(columns, static_cast<int>(bandwidth), static_cast<int>(border), width);
     for (int64_t j = 0; j < columns; ++j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpolation along one axis: as many conditions as there are layers of control points.
+// Interpolation along one axis: collocation with as many conditions as there are layers of control points.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -12,8 +12,9 @@
 
 namespace nrb::fit {
 
-// What is known along an axis: derivatives of orders (empty: values) at parameters. On a knot, that of the span after it; at
-// the end of the domain, of the last one.
+// The conditions along an axis ("sites"): derivatives of the given orders at parameters; no orders: values
+// only. At a knot, a derivative is that of the span after it; at the end of the domain, that of the last
+// span.
 struct Sites {
     std::span<const double> params;
     std::span<const int32_t> orders;
@@ -27,31 +28,37 @@ struct Sites {
 
 class AxisInterpolation {
 public:
-    // As many conditions as the axis has distinct layers, by rising parameters in the domain, the orders not above the
-    // degree, in arrays that outlive this; `axis` is for messages. Values alone are solved without an exchange of rows, for
-    // which condition i has to lie in the support of function i (I. Schoenberg, A. Whitney, Trans. Amer. Math. Soc. 74 (1953)),
-    // else Status::schoenberg_whitney. So are derivatives where that turns out to be as accurate. All else, and what belongs
-    // to a periodic axis, goes by rotations, which take several times as long.
+    // `sites`: as many conditions as the axis has distinct layers, in ascending order of their parameters,
+    // which lie in the domain; the orders are at most the degree; the arrays have to outlive this object.
+    // `axis` is the number of the axis in messages.
+    // Values alone are solved by LU factorisation without row exchanges, for which condition i has to lie in
+    // the support of basis function i (Schoenberg-Whitney condition: I. Schoenberg, A. Whitney, Trans. Amer.
+    // Math. Soc. 74 (1953)); otherwise Status::schoenberg_whitney is thrown. Derivatives are solved in the
+    // same way where the factors show that this is as accurate as rotations. Everything else, and every
+    // periodic axis, is solved by Givens rotations, which take several times as long.
     AxisInterpolation(KnotVectorPtr knots, const Sites &sites, int axis);
 
     [[nodiscard]] const KnotVectorPtr &knots() const noexcept { return knots_; }
     [[nodiscard]] const Sites &sites() const noexcept { return sites_; }
     [[nodiscard]] int64_t conditions() const noexcept { return sites_.count(); }
-    // How many right sides are solved for at once with the least effort.
+    // The number of right-hand sides to solve for at once with the least effort.
     [[nodiscard]] int64_t best_width() const noexcept;
-    // values: [conditions][width], replaced by the layers of control points; a value at a clamped end is its control
-    // point bit for bit. Throws Status::rank if the conditions do not determine them.
+    // values: the right-hand sides, [conditions][width], replaced by the layers of control points. A value at
+    // a clamped end becomes its control point bit for bit. Throws Status::rank if the conditions do not
+    // determine the control points.
     void solve(std::vector<double> &values, int64_t width) const;
-    // Multipliers of the conditions from derivatives of something by the layers of control points, [conditions][width]:
-    // its derivatives by the right sides of the conditions, through solve().
+    // Solves with the transposed matrix: turns the gradient of a function with respect to the layers of
+    // control points, [conditions][width], into its gradient with respect to the right-hand sides of solve(),
+    // the multipliers of the conditions.
     void solve_transposed(std::vector<double> &values, int64_t width) const;
 
 private:
-    // The first of the degree + 1 functions that are active at a condition, if that of the one before is known; and
-    // what they contribute to it.
+    // The first of the degree + 1 functions that are active at condition i, where `first` is that of the
+    // condition before; read() gives the values or derivatives of these functions that enter the condition.
     [[nodiscard]] int64_t next_function(int64_t i, int64_t first) const noexcept;
     void read(int64_t i, int64_t first, double *values) const noexcept;
-    // Divided by the largest entry, because derivatives of high order would outweigh the values; returns the factor.
+    // The same divided by the largest magnitude, because derivatives of high order would outweigh values;
+    // returns the factor.
     double read_scaled(int64_t i, int64_t first, double *values) const noexcept;
     void factor_values();
     [[nodiscard]] bool factor_derivatives();

@@ -119,7 +119,7 @@ AxisConditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bo
         }
     };
     all.reserve(static_cast<size_t>(layers.count() + 2 * degree));
-    const int64_t last = layers.count() - 1 - layers.derivatives()[1]; // value
+    const int64_t last = layers.count() - 1 - layers.derivatives()[1]; // of the value at the end
     all.add(layers.param(0), 0, 0);
     add_natural(layers.param(0), ends[0]);
     add_layers(1, last);

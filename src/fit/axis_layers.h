@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the layers of data along an axis are, and which conditions they make.
+// Layers of data along an axis, and the interpolation conditions that they give.
 #pragma once
 
 #include "fit/axis_interpolation.h"
@@ -12,20 +12,22 @@
 
 namespace nrb::fit {
 
-// Layers of values at parameters, and of derivatives at the first and the last one.
+// Layers of values at parameters, and of derivatives at the first and the last parameter.
 struct AxisLayers : Sites {
-    // Parameters of the values, in `room` where there are others.
+    // The parameters of the values; `room` stores them if there are derivatives as well.
     [[nodiscard]] std::span<const double> params_of_values(std::vector<double> &room) const;
-    // How many derivatives there are at the start and at the end.
+    // The numbers of derivatives at the start and at the end.
     [[nodiscard]] std::array<int, 2> derivatives() const noexcept;
 };
 
-// Parameters finite, increasing, and equal only where orders rise; values at each of them, derivatives up to the degree at the
-// first and the last one of an axis that is not periodic. `first` is the place of the axis in the caller's arrays. Throws
-// Status::parameter_not_finite, knots_decreasing, order.
+// Requires finite parameters that increase, and repeat only where the orders rise; a value at each of them;
+// and derivatives up to the degree, only at the first and the last parameter of an axis that is not periodic.
+// `first` is where the axis begins in the caller's arrays. Throws Status::parameter_not_finite,
+// knots_decreasing, order.
 void check_layers(const AxisLayers &layers, int degree, bool periodic, size_t axis, int64_t first);
 
-// Conditions, and the layers of data that they come from, -1 for zeros; no sources: the layers in turn.
+// Conditions, and for each the layer of data that it comes from; -1 stands for a layer of zeros. Without
+// sources, condition i comes from layer i.
 class AxisConditions {
 public:
     AxisConditions() = default;
@@ -47,9 +49,10 @@ private:
     std::vector<int64_t> sources_;
 };
 
-// The conditions on an axis over interpolation_knots(), by rising parameters: those of the layers, but for the last one of a
-// periodic axis, and the derivatives that vanish at natural ends. The value at an end is the first, and the last one. The arrays
-// of the layers have to outlive them.
+// The conditions on an axis over interpolation_knots(), in ascending order of parameters: those of the
+// layers, except the last layer of a periodic axis, and the vanishing derivatives of natural ends. The value
+// at the start is the first condition, the value at the end the last one. The arrays of the layers have to
+// outlive the result.
 AxisConditions conditions_of(const AxisLayers &layers, int degree, Ends ends, bool periodic);
 
 } // namespace nrb::fit

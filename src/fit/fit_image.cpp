@@ -19,17 +19,17 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr int64_t work_of_a_point = 100;     // which is mapped
+constexpr int64_t work_of_a_point = 100;     // of mapping it
 constexpr int64_t work_of_a_comparison = 10; // of two points
 constexpr size_t points_between_counts = 256;
 
-// The numerators w F(A / w) at samples (A, w) of homogeneous points, and the weights.
+// Images under the map F at homogeneous samples (A, w): the numerators w F(A / w), and the weights w.
 struct Numerators {
     std::vector<double> values;
     std::vector<double> weights; // empty: 1
 };
 
-// Those of records, with a weight each if `width` is more than dim.
+// Appends those of packed samples, which have a weight each if `width` is more than dim.
 void append_mapped(std::span<const double> samples, size_t dim, size_t width, const PointMap &map,
                    Numerators &result) {
     std::vector<double> points, images;
@@ -51,7 +51,7 @@ void append_mapped(std::span<const double> samples, size_t dim, size_t width, co
     }
 }
 
-// Of a block at a time, because there may be many.
+// Maps one block of samples at a time, because there may be many.
 Numerators mapped(const Spline &sampled, size_t dim, bool rational, const PointMap &map) {
     constexpr size_t block = 4096;
     const std::span<const double> samples = sampled.points();
@@ -67,10 +67,10 @@ Numerators mapped(const Spline &sampled, size_t dim, bool rational, const PointM
     return result;
 }
 
-// Where the samples of the spans of an axis lie.
+// The layout of the samples along an axis. Consecutive ones are `inner` samples apart.
 struct Lines {
     size_t spans;
-    size_t places; // of a span
+    size_t places; // samples per span
     size_t inner;
 };
 
@@ -126,11 +126,12 @@ private:
     static constexpr int max_rounds = 120;
     static constexpr int max_stalled = 3;
     static constexpr int sufficient_degree = 3;
-    static constexpr double rounding = 8 * eps; // of the numerators: errors that more knots make no smaller
+    static constexpr double rounding = 8 * eps; // of the numerators: errors that more knots do not reduce
     static constexpr int64_t max_points = int64_t{1} << 18;
-    static constexpr double max_values = 0x1p24; // of samples, of which there are a few copies
+    static constexpr double max_values = 0x1p24; // numbers in the samples, of which there are a few copies
 
-    // A bound may be far above the value it bounds, and so cost many control points.
+    // A proven bound may be far above the deviation, and so cost many control points. Accepts the deviation
+    // at samples if that is within the tolerance.
     bool accept_samples(FittedImage &image) const {
         const double deviation = sampled_deviation(*records(), *image.spline);
         if (deviation <= tolerance_) {
@@ -140,7 +141,8 @@ private:
         return !image.proven;
     }
 
-    // If more control points bring the image no nearer, or would, what is left is rounding.
+    // Counts a stall where the deviation has hardly fallen although there are more control points, or
+    // although all targets are at the level of rounding: then only rounding errors are left.
     void note_progress(const FittedImage &image) {
         const int64_t points = image.spline->point_count();
         const bool tried = points > last_points_ || at_rounding_;
@@ -168,7 +170,8 @@ private:
         return lines;
     }
 
-    // Of volumes there may be a hundred samples for each control point; the most are along the axis that is checked.
+    // A volume may have a hundred samples per control point. Their number is largest while the axis with the
+    // largest share of check places is the one that is checked.
     void require_room_for_samples() const {
         double values = static_cast<double>(dim_ + (fine_->rational() ? 1 : 0)), checks = 1;
         for (size_t k = 0; k < nodes_.size(); ++k) {
@@ -181,7 +184,7 @@ private:
         }
     }
 
-    // Whether degrees were raised or spans cut.
+    // Returns whether degrees were raised or spans cut.
     bool refine_where_needed(double target) {
         require_room_for_samples();
         std::vector<std::vector<double>> more(nodes_.size());
@@ -216,7 +219,8 @@ private:
         return cut;
     }
 
-    // Whether an axis of less than the sufficient degree would take more knots than raising it repeats.
+    // Whether cutting the spans of an axis of less than the sufficient degree would take more knots than
+    // raising its degree does, which repeats every knot.
     static bool cheaper_raised(const KnotVector &axis, const std::vector<double> &errors, double target) {
         const int times = sufficient_degree - axis.degree();
         double knots = 0;
@@ -237,7 +241,7 @@ private:
         }
     }
 
-    // The error of a part is that of the span divided by parts^(degree + 1), where the image is smooth.
+    // Where the image is smooth, the error of a part is that of the span divided by parts^(degree + 1).
     static double parts_wanted(const KnotVector &axis, double error, double target) noexcept {
         return std::ceil(std::pow(error / target, 1.0 / (axis.degree() + 1)));
     }
@@ -259,7 +263,7 @@ private:
         }
     }
 
-    // In quarters; returns whether there are any.
+    // Cuts the spans into quarters; returns whether there were any.
     bool cut_where_asked(const Cuts &cuts) {
         std::vector<std::vector<double>> more(nodes_.size());
         bool cut = false;
@@ -291,8 +295,8 @@ private:
     [[nodiscard]] std::vector<double> new_knots(int k, const std::vector<double> &errors,
                                                 double target) const {
         constexpr double most_parts = 8;
-        constexpr double nearly = 0.6; // cuts make neighbours a little worse, which must not go on for ever
-        constexpr double share = 0.2;  // of the largest, below which an error may be a neighbour's
+        constexpr double nearly = 0.6; // a cut makes neighbours a little worse: margin against endless cuts
+        constexpr double share = 0.2;  // of the largest error; smaller ones may come from a neighbour
         const KnotVector &axis = fine_->axis(k);
         std::vector<double> knots;
         const double largest = *std::max_element(errors.begin(), errors.end());
@@ -375,11 +379,11 @@ private:
     const Judge &judge_;
     size_t dim_;
     std::vector<LocalNodes> nodes_;
-    int patience_ = 3; // rounds without a proof
+    int patience_ = 3; // rounds that may still pass without a proof
     int stalled_ = 0;
     int64_t last_points_ = 0;
     double last_deviation_ = HUGE_VAL;
-    bool at_rounding_ = false; // errors of all axes that are as small as they can be are allowed
+    bool at_rounding_ = false; // the targets of all axes are at the level of rounding
 };
 
 } // namespace

@@ -15,15 +15,16 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr int64_t work_of_a_value = 4; // which is moved
+constexpr int64_t work_of_a_value = 4; // of moving it
 
-// Some of the outer blocks of an axis of a grid.
+// A range of the outer blocks of an axis of a grid (GridLayers).
 struct Blocks {
     int64_t first, end;
     [[nodiscard]] int64_t count() const noexcept { return end - first; }
 };
 
-// Copies the layers of a block, which are one after the other, to places `step` doubles apart, or back.
+// Copies the layers of a block, which are contiguous, to places `step` doubles apart; collect() copies them
+// back.
 void spread(const double *block, int64_t layers, int64_t inner, double *places, int64_t step) noexcept {
     with_width(inner, [=](auto width) {
         for (int64_t i = 0; i < layers; ++i) {
@@ -39,8 +40,8 @@ void collect(const double *places, int64_t step, int64_t layers, int64_t inner, 
     });
 }
 
-// What belongs to one condition together, [conditions][blocks * inner]: layer sources[i] of the grid, zeros for -1; no
-// sources: the layers in turn.
+// Puts the right-hand sides of each condition together for all blocks, [conditions][blocks * inner]: layer
+// sources[i] of the grid, zeros for -1; without sources, layer i.
 void gather(const PointGrid &grid, const GridLayers &of, int64_t conditions, std::span<const int64_t> sources,
             const Blocks &blocks, std::vector<double> &values) {
     const int64_t step = blocks.count() * of.inner;
@@ -61,7 +62,8 @@ void gather(const PointGrid &grid, const GridLayers &of, int64_t conditions, std
     }
 }
 
-// Writes the layers of control points, `stored` in a block; on a periodic axis the first ones repeat.
+// Writes the layers of control points back, `stored` of them per block; on a periodic axis the first ones are
+// repeated at the end.
 void scatter(const std::vector<double> &values, int64_t inner, int64_t stored, int64_t distinct,
              const Blocks &blocks, double *points) {
     const int64_t step = blocks.count() * inner;
@@ -75,14 +77,14 @@ void scatter(const std::vector<double> &values, int64_t inner, int64_t stored, i
     }
 }
 
-// Puts layers of control points in the place of those of the data.
+// Replaces the layers of data along axis k by layers of control points.
 void solve_axis(const AxisInterpolation &axis, std::span<const int64_t> sources, size_t k, PointGrid &grid) {
     const GridLayers of = layers_of(grid, k);
     const int64_t stored = axis.knots()->count();
     if (of.outer == 1 && stored == of.count && sources.empty()) {
         return axis.solve(grid.points, of.inner);
     }
-    std::vector<double> other; // where there are more of them
+    std::vector<double> other; // where their number is not that of the data
     if (stored != of.count) {
         other.resize(static_cast<size_t>(of.outer * stored * of.inner));
     }
@@ -128,7 +130,7 @@ void check_inside(double t, Interval domain, size_t k, int64_t index) {
     }
 }
 
-// Calls body(k, params of axis k, their place).
+// Calls body(k, parameters of axis k, index of the first of them).
 template <class Body>
 void for_each_axis(const std::vector<int64_t> &counts, std::span<const double> params, Body &&body) {
     int64_t offset = 0;
@@ -208,7 +210,8 @@ SplinePtr interpolate(const Spline::Axes &axes, std::span<const double> params, 
 
 namespace {
 
-// Throws Status::outside_domain for a condition outside the knots, and what AxisInterpolation does.
+// Throws Status::outside_domain for a condition outside the domain of the knots, and what AxisInterpolation
+// throws.
 AxisInterpolation checked_axis(const CurveConditions &given, KnotVectorPtr knots) {
     for (size_t i = 0; i < given.params.size(); ++i) {
         check_inside(given.params[i], knots->domain(), 0, static_cast<int64_t>(i));

@@ -79,7 +79,8 @@ std::vector<double> averaged(int degree, std::span<const double> params, int axi
     return knots;
 }
 
-// The middles begin half a step before the first parameter.
+// For even degrees the knots lie midway between parameters, beginning half of the last step before the first
+// parameter.
 std::vector<double> closed_knots(int degree, std::span<const double> params, int axis) {
     check_count(params.size(), 2, axis);
     std::vector<double> breaks(params.begin(), params.end());

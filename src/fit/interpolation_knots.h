@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Knots for interpolation, from the parameters of the data and what holds at their ends.
+// Knots for interpolation, from the parameters of the data and the end conditions.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -11,18 +11,21 @@ namespace nrb::fit {
 
 enum class End : int32_t { not_a_knot, natural, averaged };
 
-// What holds at the start and at the end of an axis.
+// The end conditions at the start and at the end of an axis.
 using Ends = std::array<End, 2>;
 
-// Of parameters that increase strictly, with the place of the axis and of its first parameter in the caller's arrays:
-// - Knots stand at the parameters, for even degrees in the middle between them, with degree + 1 at each end. At an
-//   end that is not_a_knot the first degree / 2 of the inner ones are left out, which makes as many control points as
-//   there are data; of these it keeps one more for each derivative that is given there. At one that is natural (odd degrees) none, which leaves (degree - 1) / 2 conditions to be given:
-//   that the derivatives of orders (degree + 1) / 2 to degree - 1 vanish.
-// - averaged (at both ends, without derivatives): knots averaged from `degree` consecutive parameters.
-// - periodic: the same with a knot for each parameter but the last, which ends the period.
-// Throws Status::too_few_points, degree, rule, order for more derivatives than knots are left out, and what
-// make_knot_vector() does.
+// Knots for strictly increasing parameters. `derivatives` are the numbers of derivatives given at the start
+// and at the end; `axis` is the number of the axis in messages.
+// - not_a_knot, natural: inner knots at the parameters, for even degrees midway between them, and a knot of
+//   multiplicity degree + 1 at each end. At an end that is not_a_knot, the first degree / 2 inner knots are
+//   left out, so that there are as many control points as data; one of these knots is kept for each
+//   derivative that is given there. At a natural end (odd degrees) none is left out. This leaves
+//   (degree - 1) / 2 conditions to be added: the derivatives of orders (degree + 1) / 2 to degree - 1 vanish.
+// - averaged (at both ends, without derivatives): each inner knot is the mean of `degree` consecutive
+//   parameters.
+// - periodic axes: as above, with a knot for each parameter but the last, which ends the period.
+// Throws Status::too_few_points, degree, rule, order if more derivatives are given at an end than knots are
+// left out there, and what make_knot_vector() throws.
 KnotVectorPtr interpolation_knots(int degree, std::span<const double> params, Ends ends, bool periodic,
                                   int axis, std::array<int, 2> derivatives = {});
 

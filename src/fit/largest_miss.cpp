@@ -14,7 +14,8 @@ namespace nrb::fit {
 
 namespace {
 
-// There is about one parameter in each span: tables that make the next ones cheap would cost ten times as much.
+// Evaluates one parameter at a time: there is about one in each span, and tables that speed up further ones
+// in the same span would cost ten times as much.
 double miss_of_curve(const Spline &curve, std::span<const double> params, const std::vector<double> &points) {
     const KnotVector &axis = curve.axis(0);
     const double *const knots = axis.knots().data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How well a spline goes through its data.
+// The interpolation error of a spline at its data.
 #pragma once
 
 #include "fit/parameters.h"
@@ -9,8 +9,9 @@
 
 namespace nrb::fit {
 
-// The largest distance of the points on a grid from the polynomial spline at the parameters of all axes, which rise on
-// each, in the domain or on a periodic axis.
+// The largest distance of a point on the grid from the polynomial spline at its parameters. `params` lists
+// the parameters of one axis after the other; they rise on each axis, and lie in the domain unless the axis
+// is periodic.
 double largest_miss(const Spline &spline, std::span<const double> params, const PointGrid &grid);
 
 } // namespace nrb::fit

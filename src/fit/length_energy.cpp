@@ -65,7 +65,8 @@ std::vector<double> LengthEnergy::product(const std::vector<double> &u) const {
     return slope(std::move(values));
 }
 
-// The sum of 1 / h over the nearest other parameters on both sides, at distances h.
+// The stiffness of the curve against a tangent at condition i: the sum of 1 / h over the nearest other
+// parameters on both sides, at distances h; at least 1 over the length of the domain.
 double LengthEnergy::stiffness_at(int64_t i) const noexcept {
     const double t = axis_.sites().param(i);
     int64_t before = i, after = i;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integral of the squared second derivative of a curve, as a function of the lengths of its tangents.
+// The bending energy of a curve, the integral of its squared second derivative, as a function of the lengths
+// of its tangents.
 #pragma once
 
 #include "fit/axis_interpolation.h"
@@ -11,7 +12,8 @@
 
 namespace nrb::fit {
 
-// Half of the derivatives of the energy by layers of control points: a banded matrix, times these.
+// Half the gradient of the energy with respect to the layers of control points: their product with a banded
+// matrix.
 class Bending {
 public:
     explicit Bending(const KnotVectorPtr &knots);
@@ -22,17 +24,20 @@ private:
     ColumnsOf<DoubleDouble> columns_;
 };
 
-// The energy as a function of unknowns u, the lengths of tangents in units of what a tangent of length 1 adds to it, as far as
-// that can be told from the conditions beside it.
+// The energy as a quadratic function of unknowns u, the scaled lengths of the tangents. They are scaled so
+// that a tangent with u = 1 adds about 1 to the energy, as far as that can be estimated from the neighbouring
+// conditions.
 class LengthEnergy {
 public:
     // The axis and the directions must outlive this.
     LengthEnergy(const AxisInterpolation &axis, std::span<const int64_t> directions, int dim,
                  const std::vector<double> &targets);
 
-    // Half of the derivatives by the unknowns, of the curve with right sides values[n][dim].
+    // Half the gradient with respect to u, at the curve whose conditions have the right-hand sides
+    // values[n][dim].
     [[nodiscard]] std::vector<double> slope(std::vector<double> values) const;
-    // Of the curve that unknowns alone determine.
+    // The same for the curve with tangents u and all other right-hand sides 0: half the Hessian matrix times
+    // u.
     [[nodiscard]] std::vector<double> product(const std::vector<double> &u) const;
     [[nodiscard]] double scale(size_t j) const noexcept { return scales_[j]; }
 

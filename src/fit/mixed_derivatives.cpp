@@ -8,8 +8,9 @@ namespace nrb::fit {
 
 namespace {
 
-// What values at the nodes contribute to derivative `order` at t of the polynomial through them: B. Fornberg, "Generation of
-// finite difference formulas on arbitrarily spaced grids", Math. Comp. 51 (1988).
+// Finite difference weights: the factors of the values at the nodes in derivative `order` at t of the
+// polynomial through them (B. Fornberg, "Generation of finite difference formulas on arbitrarily spaced
+// grids", Math. Comp. 51 (1988)).
 std::vector<double> derivative_weights(const std::vector<double> &nodes, double t, int order) {
     const auto orders = static_cast<size_t>(order) + 1;
     std::vector<double> weights(nodes.size() * orders, 0.0); // [nodes][orders]
@@ -42,7 +43,7 @@ std::vector<double> derivative_weights(const std::vector<double> &nodes, double 
     return result;
 }
 
-// The derivative of a layer as a sum of layers of values.
+// A layer of derivatives as a linear combination of layers of values.
 struct Difference {
     std::vector<int64_t> layers;
     std::vector<double> weights;
@@ -68,7 +69,7 @@ public:
     MixedEstimates(const std::vector<AxisLayers> &axes, const std::vector<int> &degrees, PointGrid &grid)
         : axes_(axes), degrees_(degrees), grid_(grid), place_(axes.size()) {}
 
-    // Those along two axes, then those along three.
+    // Mixed derivatives along two axes first, because those along three are estimated from them.
     void run() {
         for (int along = 2; along <= static_cast<int>(axes_.size()); ++along) {
             visit(0, 0, along);

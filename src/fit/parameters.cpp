@@ -21,7 +21,7 @@ namespace {
 
 constexpr int64_t work_of_a_step = 16;
 
-// Sums of equal steps are exact: i / last.
+// Uniform parameters i / (count - 1), rounded once: what exact sums of equal steps would give.
 std::vector<double> even(int64_t count) {
     std::vector<double> params(static_cast<size_t>(count), 0.0);
     for (int64_t i = 1; i < count; ++i) {
@@ -30,7 +30,8 @@ std::vector<double> even(int64_t count) {
     return params;
 }
 
-// The angle between two steps, from vectors of unit length (W. Kahan): accurate at all angles.
+// The angle between two steps, from their unit vectors by W. Kahan's formula, which is accurate at all
+// angles.
 template <class A, class B>
 double angle_between(A &&a, double a_length, B &&b, double b_length, int dim) noexcept {
     const auto sum = norm_of(dim, [&](int c) { return a(c) / a_length + b(c) / b_length; });
@@ -38,8 +39,8 @@ double angle_between(A &&a, double a_length, B &&b, double b_length, int dim) no
     return 2 * std::atan2(difference, sum);
 }
 
-// The steps between the points of one line of the grid, which are `stride` doubles apart. The scale keeps chords from
-// overflowing.
+// The steps between the points of one line of the grid, which are `stride` doubles apart. The scale keeps
+// chord lengths from overflowing.
 struct Line {
     const double *points;
     int64_t stride;
@@ -53,9 +54,9 @@ struct Line {
     }
 };
 
-// How much longer the steps of a line count for the angles at their ends (T. Foley, G. Nielson, "Knot selection for
-// parametric spline interpolation", in: Mathematical Methods in Computer Aided Geometric Design, 1989), with Euclidean
-// chords.
+// The factor by which the turning angles at its ends lengthen a step of a line (T. Foley, G. Nielson, "Knot
+// selection for parametric spline interpolation", in: Mathematical Methods in Computer Aided Geometric
+// Design, 1989), with Euclidean chord lengths.
 class Turning {
 public:
     Turning(const Line &line, std::span<const double> chords) : line_(line), chords_(chords) {}
@@ -67,7 +68,8 @@ public:
     }
 
 private:
-    // Of the angle between a step and one beside it: pi minus the inner angle, but at most a right one.
+    // The contribution of the angle between a step and its neighbour: the turning angle, pi minus the inner
+    // angle, but at most pi / 2, times the share of the neighbour in both chords.
     [[nodiscard]] double part(size_t i, size_t beside) const noexcept {
         if (!(chords_[beside] > 0)) {
             return 0;
@@ -81,7 +83,8 @@ private:
     std::span<const double> chords_;
 };
 
-// Makes lengths of chords, in units of the largest one, so that no rule leaves the range of doubles.
+// Turns chord lengths into the lengths of the rule, in units of the largest chord so that no rule leaves the
+// range of doubles.
 void apply(ParameterRule rule, double exponent, double largest, const Line &line, std::span<double> chords) {
     const auto replace = [&](auto &&length) { std::ranges::transform(chords, chords.begin(), length); };
     switch (rule) {
@@ -102,7 +105,8 @@ void apply(ParameterRule rule, double exponent, double largest, const Line &line
     }
 }
 
-// Adds the parameters of a line, in room for its chords; false if it has no length.
+// Adds the parameters of a line to `params`; `room` is for its chord lengths. False if the line has no
+// length.
 bool add(const Line &line, ParameterRule rule, double exponent, std::span<double> room,
          std::span<double> params) {
     with_width(line.dim, [&](auto dim) {
@@ -148,7 +152,7 @@ std::vector<double> of_axis(const GridShape &grid, std::span<const double> point
     return params;
 }
 
-// A power of two that makes all coordinates less than 1/4.
+// A power of two that scales all coordinates to less than 1/4, as far as normal powers of two reach.
 double scale_of(std::span<const double> points) noexcept {
     const double largest = largest_magnitude(points);
     return largest > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(largest) - 3, -1022, 1022)) : 1;
@@ -177,7 +181,7 @@ std::vector<double> parametrize(const GridShape &grid, std::span<const double> p
 
 namespace {
 
-// Whether a function over the knots still rises at t, which lies inside a span.
+// Whether a basis function still increases at t, which lies inside a span.
 bool rises(const KnotVector &axis, int64_t function, double t) noexcept {
     const int p = axis.degree();
     const int64_t span = axis.find_span(t, false);
@@ -190,7 +194,7 @@ bool rises(const KnotVector &axis, int64_t function, double t) noexcept {
     return values[p + 1 + place] > 0;
 }
 
-// A B-spline rises to its only maximum and falls after it.
+// The place of the maximum, by bisection: a B-spline increases up to its only maximum and decreases after it.
 double largest_at(const KnotVector &axis, int64_t function) noexcept {
     double lower = axis[function], upper = axis[function + axis.degree() + 1];
     for (;;) {
@@ -211,7 +215,8 @@ std::vector<double> universal_params(int degree, int64_t count) {
     std::vector<double> params(static_cast<size_t>(count));
     for (int64_t i = 0; i < (count + 1) / 2; ++i) {
         count_work(work_of_a_step);
-        // Away from the ends, and at low degrees, a function is symmetric.
+        // Away from the ends, and at degrees up to 1, a basis function is symmetric about the middle of its
+        // support.
         const double first = axis[i], last = axis[i + degree + 1];
         const bool symmetric = degree <= 1 || i >= degree || 2 * i + 1 == count;
         const double t = symmetric ? first + (last - first) / 2 : largest_at(axis, i);

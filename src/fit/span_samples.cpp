@@ -40,7 +40,7 @@ LocalNodes::LocalNodes(int degree) {
 
 namespace {
 
-// Rows that give the values at places of every span.
+// The collocation matrix with a row for each place of every span.
 LayerTable sampling_table(const KnotVector &axis, const std::vector<double> &places) {
     LayerTable table;
     double values[max_basis];
@@ -56,7 +56,7 @@ LayerTable sampling_table(const KnotVector &axis, const std::vector<double> &pla
     return table;
 }
 
-// Layers that stand for themselves.
+// An axis of degree 0, whose layers of control points are its values.
 KnotVectorPtr index_axis(int64_t rows) {
     std::vector<double> knots(static_cast<size_t>(rows) + 1);
     for (size_t i = 0; i < knots.size(); ++i) {
@@ -84,10 +84,11 @@ SplinePtr sampled(const Spline &spline, const Places &places) {
 
 namespace {
 
-// The control points of an axis from samples of it, by least squares.
+// The least-squares fit of the control points of an axis to samples along it.
 class AxisFit {
 public:
-    // Layers of samples along axis k, `places` on a span; node j is number stride * j.
+    // Along axis k there are `places` layers of samples for each span; node j of a span is number stride * j
+    // of them.
     AxisFit(const Spline &samples, int k, const KnotVector &axis, const LocalNodes &nodes, size_t places,
             size_t stride)
         : samples_(samples), view_(axis_view(samples, k, samples.dim())), axis_(axis),
@@ -99,7 +100,7 @@ public:
                   length_),
           right_(static_cast<size_t>(length_)) {}
 
-    // [distinct_layers()][length of a layer].
+    // Returns the control points, [distinct_layers()][length of a layer].
     std::vector<double> run() {
         int64_t anchored = 0;
         for (int64_t r = 0; r < table_.rows(); ++r) {
@@ -119,10 +120,10 @@ public:
     }
 
 private:
-    static constexpr double anchor = eps; // changes no image by more
-    static constexpr double pin = 0x1p30; // the square of which is beyond the others' rounding
+    static constexpr double anchor = eps; // weight of an anchor: moves no image by more than that
+    static constexpr double pin = 0x1p30; // weight of values to be met: its square is beyond others' rounding
 
-    // The layers after those that act on the span of row r, or before them; all layers at the last row.
+    // One past the last layer that acts on the span of row r or before it; all layers at the last row.
     [[nodiscard]] int64_t reached(int64_t r) const {
         const int64_t span = axis_.spans().indices()[static_cast<size_t>(r / nodes_)];
         return r + 1 == table_.rows() ? columns_ : std::min(span + 1, columns_);
@@ -157,8 +158,8 @@ private:
     std::vector<double> right_;
 };
 
-// The samples along axis k, of which node j is number stride * j of `places` on each span, replaced by
-// control points of an axis.
+// Replaces the samples along axis k by control points of an axis. There are `places` samples for each span,
+// of which node j is number stride * j.
 SplinePtr fitted(const Spline &samples, int k, const KnotVector &axis, const LocalNodes &nodes, size_t places,
                  size_t stride) {
     const int64_t length = reduce::layer_length(samples, k);
@@ -170,7 +171,7 @@ SplinePtr fitted(const Spline &samples, int k, const KnotVector &axis, const Loc
     return reduce::spline_of_layers(samples, k, index_axis(axis.count()), sources);
 }
 
-// Samples with `places[k]` of each span on axis k.
+// Samples, places[k] of them for each span of axis k, as a spline of degree 0.
 SplinePtr as_spline(const Spline &spline, const std::array<size_t, max_axes> &places,
                     std::vector<double> samples, int width) {
     Spline::Axes axes;

@@ -19,8 +19,8 @@ namespace nrb::fit {
 
 namespace {
 
-// Right sides without those of the directions, moved so that the first point is 0: the energy does not depend on the place, but
-// its rounding errors do.
+// The right-hand sides without those of the directions, translated so that the first point is 0: the energy
+// does not depend on the position, but its rounding errors do.
 std::vector<double> fixed_part(const AxisInterpolation &axis, std::span<const int64_t> directions, int dim,
                                std::vector<double> targets) {
     std::vector<double> place;
@@ -37,7 +37,7 @@ std::vector<double> fixed_part(const AxisInterpolation &axis, std::span<const in
     return targets;
 }
 
-// The equations of the least energy.
+// The linear equations of the minimum of the energy, solved by preconditioned conjugate gradients.
 class LengthEquations {
 public:
     LengthEquations(const LengthEnergy &energy, size_t size)
@@ -46,8 +46,8 @@ public:
                             [&](const std::vector<double> &u) { return energy.product(u); })),
           most_(static_cast<int>(std::min<size_t>(most_products, 2 * size + least_products))) {}
 
-    // Equations that do not determine lengths may well have solutions for the right sides that curves make, so that these do not
-    // tell: a right side that is no curve's does.
+    // Throws Status::rank if the matrix is singular. Right-hand sides that come from a curve may be
+    // consistent even then, and so do not reveal it; a pseudo-random one, which is no curve's, does.
     void check_rank() const {
         std::vector<double> any(size_);
         uint64_t state = 1;
@@ -61,7 +61,8 @@ public:
         }
     }
 
-    // Conjugate gradients end at 1e-6 of the right side; what they leave is solved for again.
+    // Conjugate gradients stop at a residual of 1e-6 of the right-hand side; then they solve for the residual
+    // again (iterative refinement).
     [[nodiscard]] std::vector<double> solution(const std::vector<double> &right) const {
         constexpr double enough = 0x1p-26;
         constexpr int rounds = 3;
@@ -84,7 +85,7 @@ public:
 private:
     static constexpr size_t most_products = 2000, least_products = 50;
     static constexpr double least = 0x1p-40;
-    static constexpr int64_t reach = 24; // of tangents that matter to each other, in tangents
+    static constexpr int64_t reach = 24; // how many tangents apart they still interact
 
     [[nodiscard]] std::vector<double> solved(const std::vector<double> &right) const {
         return conjugate_gradients([this](const std::vector<double> &u) { return energy_.product(u); }, right,
@@ -100,7 +101,7 @@ private:
 
     const LengthEnergy &energy_;
     size_t size_;
-    std::optional<SparseLdlt> near_; // factors of the equations without those of tangents far apart
+    std::optional<SparseLdlt> near_; // the preconditioner: factors of the band of near tangents
     int most_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long tangents are of which only the directions are known.
+// Lengths of tangents of which only the directions are known.
 #pragma once
 
 #include "fit/axis_interpolation.h"
@@ -9,16 +9,18 @@
 
 namespace nrb::fit {
 
-// Factors of targets[n][dim], of the conditions of the axis: 1, but for the first derivatives at `directions`, in
-// rising order, those for which the integral over the pieces of the squared second derivative is smallest, of either sign.
-// They are the solution of linear equations with a symmetric positive matrix of as many rows as directions, which is found by
-// conjugate gradients: an element of it is small for tangents far apart, so that factors of the others precondition them, and
-// the number of products with it, each at the cost of two interpolations, hardly grows with their number. Throws Status::rank, not_converged, not_representable.
-// Precondition: directions that are not 0.
+// The factors of targets[n][dim], the right-hand sides of the conditions of the axis. They are 1 except for
+// the first derivatives at `directions` (in rising order), which get those factors, of either sign, that
+// minimise the integral of the squared second derivative over the pieces of the curve.
+// These factors solve linear equations with a symmetric positive definite matrix of one row per direction, by
+// conjugate gradients. An element of the matrix is small for tangents far apart, so that factors of the
+// matrix without these elements are a good preconditioner. The number of products with the matrix, each at
+// the cost of two interpolations, therefore hardly grows with the number of directions. Throws Status::rank,
+// not_converged, not_representable. Precondition: the directions are not 0.
 std::vector<double> tangent_lengths(const AxisInterpolation &axis, std::span<const int64_t> directions,
                                     int dim, const std::vector<double> &targets);
 
-// Throws Status::tangent unless all tangents go along their directions, longer than rounding.
+// Throws Status::tangent unless every tangent points along its direction and is longer than rounding errors.
 void check_along(std::span<const int64_t> directions, int dim, const std::vector<double> &targets,
                  const std::vector<double> &lengths);
 

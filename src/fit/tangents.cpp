@@ -13,8 +13,8 @@ namespace {
 
 constexpr int64_t work_of_a_tangent = 32;
 
-// The steps and the slopes of the chords, with two more beyond either end: those of the other end if the data are
-// closed; else slopes that go on as a parabola does (H. Akima, J. ACM 17 (1970)).
+// The parameter steps and the slopes of the chords, with two more beyond either end: those of the other end
+// if the data are closed, else slopes extrapolated along a parabola (H. Akima, J. ACM 17 (1970)).
 class Slopes {
 public:
     Slopes(std::span<const double> params, int dim, std::span<const double> points, bool closed)
@@ -37,14 +37,15 @@ public:
     }
 
     [[nodiscard]] double step(int64_t i) const noexcept { return steps_[static_cast<size_t>(i + 2)]; }
-    // Of the chord from point i to the next, -2 <= i <= n.
+    // The slope of the chord from point i to the next, -2 <= i <= n.
     [[nodiscard]] const double *slope(int64_t i) const noexcept { return slopes_.data() + (i + 2) * dim_; }
 
 private:
     double &step(int64_t i) noexcept { return steps_[static_cast<size_t>(i + 2)]; }
     double *slope(int64_t i) noexcept { return slopes_.data() + (i + 2) * dim_; }
 
-    // Chord i as a copy of another one, or from the two after it (inside = 1) or before it (-1).
+    // Makes chord i a copy of another one, or extrapolates it from the two after it (inside = 1) or before it
+    // (-1).
     void extend(int64_t i, int64_t copy, int inside) noexcept {
         const int64_t near = i + inside, far = chords_ > 1 ? i + 2 * inside : near;
         step(i) = step(copy != i ? copy : near);
@@ -59,14 +60,14 @@ private:
     std::vector<double> slopes_;
 };
 
-// The derivative at the middle of three points of the parabola through them.
+// The derivative of the parabola through three points, at the middle one.
 double parabola(double before, double h_before, double after, double h_after) noexcept {
     return before * (h_after / (h_before + h_after)) + after * (h_before / (h_before + h_after));
 }
 
-// The weighted harmonic mean of slopes of one sign, else 0 (F. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5
-// (1984)): at most three times the smaller one, which makes a cubic monotone (C. de Boor, B. Swartz, J. Approx. Theory
-// 21 (1977)). A little less, so that rounding does not lead beyond.
+// The weighted harmonic mean of slopes of equal sign, else 0 (F. Fritsch, J. Butland, SIAM J. Sci. Stat.
+// Comput. 5 (1984)). It is at most three times the smaller slope, which makes a cubic monotone (C. de Boor,
+// B. Swartz, J. Approx. Theory 21 (1977)). It is reduced a little, so that rounding cannot exceed that limit.
 double harmonic(double before, double h_before, double after, double h_after) noexcept {
     constexpr double less = 1 - 0x1p-40;
     if (!((before > 0 && after > 0) || (before < 0 && after < 0))) {
@@ -79,7 +80,8 @@ double harmonic(double before, double h_before, double after, double h_after) no
     return std::copysign(less * (low / (of_low + (1 - of_low) * (low / high))), before);
 }
 
-// At an end of open data, from its chord and the next: that of the parabola, as far as it keeps the cubic monotone.
+// At an end of open data, from its chord and the next one: the derivative of the parabola, limited so that
+// the cubic stays monotone.
 double monotone_end(double own, double h_own, double next, double h_next) noexcept {
     const double wanted = own + (own - next) * (h_own / (h_own + h_next));
     if (!(own > 0 ? wanted > 0 : wanted < 0)) {
@@ -124,7 +126,8 @@ private:
         }
     }
 
-    // The mean of the slopes beside the point, that of less change on its own side counting more.
+    // The weighted mean of the slopes beside the point; the slope that changes less on its own side counts
+    // more.
     void akima(int64_t i, double *tangent) const noexcept {
         const double *const before = slopes_.slope(i - 1), *const after = slopes_.slope(i);
         const double change_before = distance(before, slopes_.slope(i - 2), dim_);

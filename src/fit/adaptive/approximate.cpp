@@ -19,10 +19,10 @@ namespace nrb::fit {
 
 namespace {
 
-// Values of g at some places of every span, and at the ends of the domain.
+// Values of g at several places of every span, and at the ends of the domain.
 class GridSamples {
 public:
-    // So many on each axis, at least; more where it has more spans.
+    // At least `least` on each axis; more where it has more spans.
     GridSamples(const Spline &g, const std::vector<int> &degrees, int64_t least) {
         const auto axes = static_cast<size_t>(g.axes());
         std::array<ConstRecords, max_axes> places{};
@@ -83,7 +83,8 @@ private:
     Data data_;
 };
 
-// Knots where a derivative of g below an order jumps along an axis, and the seam of a periodic one, at the upper end.
+// The knots where a derivative of g of order at most `order` jumps along an axis; the last one may be the
+// seam of a periodic axis, at the upper end.
 std::vector<Break> breaks_of(const SplinePtr &g, int k, int degree, int order) {
     std::vector<Break> breaks;
     for (const analysis::KnotContinuity &knot : analysis::continuity(g, k, {0, 1e-9, 1e-9})) {
@@ -111,7 +112,7 @@ FitDomain domain_of(const SplinePtr &g, const std::vector<int> &degrees, int ord
     return domain;
 }
 
-// The corners, unless an axis has no ends.
+// Conditions that keep the corners; none if an axis is periodic.
 std::vector<FitCondition> corners(const Spline &g, const FitDomain &domain) {
     std::vector<FitCondition> conditions;
     for (int corner = 0; corner < 1 << g.axes(); ++corner) {
@@ -135,7 +136,7 @@ std::vector<FitCondition> corners(const Spline &g, const FitDomain &domain) {
     return conditions;
 }
 
-// g itself with the degrees, if it is of that kind.
+// g itself, raised to the degrees, if it is polynomial and of no higher degrees.
 std::optional<SplinePtr> same_spline(const SplinePtr &g, const std::vector<int> &degrees) {
     if (g->rational()) {
         return std::nullopt;
@@ -157,7 +158,8 @@ bool meets(const Approximation &found, double tolerance) noexcept {
 
 class ApproximationSearch {
 public:
-    // Knots where a derivative of g below an order jumps are kept, as multiple ones. needed: there is no other answer.
+    // Knots where a derivative of g of order at most `order` jumps are kept, as multiple ones. `needed`:
+    // there is no other answer, so that the fit may take longer.
     ApproximationSearch(const SplinePtr &g, const std::vector<int> &degrees, double tolerance,
                         int64_t max_count, int order, bool needed)
         : g_(g), degrees_(degrees), tolerance_(tolerance), max_count_(max_count),
@@ -165,14 +167,14 @@ public:
         wishes_.conditions = corners(*g, domain_);
     }
 
-    // Nothing where the limit of work came before the first fit.
+    // Without a spline if the limit of work came before the first fit.
     Approximation best() {
         (void)attempted([&] { search(); });
         return found_;
     }
 
 private:
-    // The samples have to be met a little better than the rest of g.
+    // Aims at a smaller tolerance for the samples than for the rest of g.
     void search() {
         constexpr int most_rounds = 6;
         const bool volume = g_->axes() == max_axes;
@@ -197,7 +199,7 @@ private:
             aim *= std::clamp(0.9 * tolerance_ / bound, 0.3, 0.9);
         }
     }
-    // Keeps the closer one.
+    // Keeps the closer spline; returns the bound for the new one.
     double compare(const SplinePtr &made) {
         std::optional<NeededWork> needed;
         if (found_.spline == nullptr) { // without a bound there is no answer
@@ -209,7 +211,7 @@ private:
         }
         return bound;
     }
-    // Whether there are few samples for each control point, so that what lies between them is not seen.
+    // Whether there are so few samples for each control point that what lies between them is missed.
     [[nodiscard]] static bool has_few(const GridSamples &samples, const Spline &made) noexcept {
         constexpr int64_t few = 6;
         for (int k = 0; k < made.axes(); ++k) {
@@ -251,7 +253,7 @@ bool is_better(const Approximation &a, const Approximation &b, double tolerance)
 Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, double tolerance,
                           int64_t max_count) {
     const std::optional<SplinePtr> same = same_spline(g, degrees);
-    const auto itself = [&] { // raising degrees rounds
+    const auto itself = [&] { // raising degrees causes rounding errors
         return Approximation{*same, *same == g ? 0 : bounds::deviation(**same, *g).upper};
     };
     if (same && tolerance == 0) {
@@ -260,7 +262,7 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
     const UsualLimit usual(5 * usual_work(g->point_count(), 100000) / 8);
     const int64_t own = same ? (*same)->point_count() : max_count;
     const bool itself_will_do = same && own <= max_count;
-    int64_t limit = std::min(max_count, own); // more would not be taken
+    int64_t limit = std::min(max_count, own); // a larger result would not be taken
     Approximation found{nullptr, INFINITY};
     const auto search = [&](int order) {
         const bool needed = !itself_will_do && found.spline == nullptr;
@@ -269,7 +271,7 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
             found = other;
         }
     };
-    if (has_few_knots(*g)) { // pieces that meet less smoothly than the result would
+    if (has_few_knots(*g)) { // keep joints less smooth than those of the result
         const PartOfWork half;
         search(max_degree);
         limit = meets(found, tolerance) ? std::min(limit, found.spline->point_count()) : limit;
@@ -278,7 +280,7 @@ Approximation approximate(const SplinePtr &g, const std::vector<int> &degrees, d
     if (itself_will_do && (!meets(found, tolerance) || own <= found.spline->point_count())) {
         return itself();
     }
-    if (found.spline == nullptr) { // kinks alone are too many
+    if (found.spline == nullptr) { // keeping the kinks takes too many control points
         search(0);
     }
     if (found.spline == nullptr) {

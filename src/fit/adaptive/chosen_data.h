@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data out of others, packed.
+// Selections of data, packed.
 #pragma once
 
 #include "fit/statistics/gather.h"
@@ -10,10 +10,10 @@ namespace nrb::fit {
 
 class PackedData {
 public:
-    // None, of the kind of others.
+    // Empty, for data of the same kind: number of axes, dimension, with weights or without.
     explicit PackedData(const Data &kind);
 
-    // Number i of data of that kind, at its parameters or at others.
+    // Adds datum i of data of that kind, at its own parameters or at others.
     void add(const Data &all, int64_t i);
     void add(const Data &all, int64_t i, const double *params);
     // Valid until the next add().
@@ -25,17 +25,17 @@ private:
     std::vector<double> params_, values_, weights_;
 };
 
-// So many of the data, the first and last ones among them, and others at places that follow no row of a grid; those of
-// curves in the order of their parameters.
+// `size` of the data, the first and the last one among them, the others at irregular places that follow no
+// row of a grid; those of curves in the order of their parameters.
 PackedData some_of(const Data &all, int64_t size);
 
-// Those of a curve with parameters in an interval and a weight above 0, in the order of the parameters.
+// The data of a curve with parameters in an interval and a weight above 0, in the order of the parameters.
 PackedData data_between(const Data &all, double lower, double upper);
 
-// Whether all data count, with parameters in the domain.
+// Whether the rules and the absence of weights guarantee that all data count, with parameters in the domain.
 bool is_clean(const Data &all, const eval::AxisRules &rules) noexcept;
 
-// Those that count, with parameters in the domain, and which they are.
+// The data that count, with parameters placed in the domain, and their indices.
 struct CleanData {
     CleanData(const Data &all, const eval::AxisRules &rules, const std::vector<Interval> &domains);
 

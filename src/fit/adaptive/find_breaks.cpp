@@ -26,7 +26,7 @@ Data part(const Data &data, int64_t first, int64_t end) noexcept {
     return {of(data.params), of(data.values), of(data.weights)};
 }
 
-// The polynomial closest to data, with what it misses of them.
+// The least-squares polynomial of data, compared with them.
 FittedPoints polynomial(const Data &data, int degree) {
     FitWishes wishes;
     wishes.regularise = true;
@@ -34,7 +34,7 @@ FittedPoints polynomial(const Data &data, int degree) {
     return fit_points(data, {}, simplest_axes({.degrees = {degree}, .domains = {domain}}), wishes, true);
 }
 
-// Points of a polynomial, anywhere.
+// Points of a polynomial, extrapolated outside its domain.
 std::vector<double> continued(const Spline &spline, const ConstRecords &params) {
     std::vector<double> points(static_cast<size_t>(params.count * spline.dim()));
     eval::AxisRules rules{};
@@ -50,10 +50,10 @@ double gap(const Spline &a, const Spline &b, double t) {
     return norm_of(a.dim(), [&](int c) { return x[static_cast<size_t>(c)] - y[static_cast<size_t>(c)]; });
 }
 
-// How far data are from the splines before and after a place.
+// A split of data between the splines before and after a place.
 struct Split {
-    int64_t at;      // how many data belong to the first one
-    double distance; // the largest one
+    int64_t at;      // number of data that belong to the first spline
+    double distance; // the largest distance of a datum from its spline
 };
 Split best_split(const Spline &before, const Spline &after, const Data &data) {
     const std::vector<double> a = continued(before, data.params), b = continued(after, data.params);
@@ -85,7 +85,7 @@ BreakSearch::BreakSearch(const Data &sorted, std::vector<double> distances, int 
                          double tolerance)
     : data_(sorted), distances_(std::move(distances)), degree_(degree), span_(span), tolerance_(tolerance) {}
 
-// Of what is missed, two spans apart.
+// Groups of data that the fit misses; they are more than two spans apart.
 std::vector<BreakSearch::Cluster> BreakSearch::clusters() const {
     std::vector<Cluster> found;
     for (int64_t i = 0; i < std::ssize(distances_); ++i) {
@@ -110,7 +110,7 @@ std::vector<Break> BreakSearch::breaks(const Data &all) const {
         const Cluster room{i == 0 ? 0 : places[i - 1].last + 1,
                            i + 1 == places.size() ? data_.params.count - 1 : places[i + 1].first - 1};
         Break one{};
-        for (int window = widest; window >= narrowest; window /= 2) { // a long one sees through noise
+        for (int window = widest; window >= narrowest; window /= 2) { // a long window sees through noise
             if (find(places[i], room, window * span_, all, one)) {
                 found.push_back(one);
                 break;
@@ -120,11 +120,11 @@ std::vector<Break> BreakSearch::breaks(const Data &all) const {
     return found;
 }
 
-// The polynomials on either side are first found from data outside the cluster, and continued far into it; then from data ever
-// nearer to the place where they part.
+// The polynomials on either side are first fitted to data outside the cluster and extrapolated far into it;
+// then, step by step, to data ever nearer to the place where they part.
 bool BreakSearch::find(const Cluster &cluster, const Cluster &room, double window, const Data &all,
                        Break &found) const {
-    Cluster core = cluster; // what belongs to neither side
+    Cluster core = cluster; // data that belong to neither side yet
     for (;;) {
         const int64_t first = first_from(param(core.first) - window, room.first, core.first);
         const int64_t end = end_at(param(core.last) + window, core.last + 1, room.last + 1);
@@ -152,7 +152,8 @@ bool BreakSearch::find(const Cluster &cluster, const Cluster &room, double windo
     }
 }
 
-// The first datum in [from, end) not before a parameter, and the first one in [first, end) after it.
+// first_from() is the first datum in [from, end) at or after a parameter, end_at() the first one in
+// [first, end) after it. Both return `end` if there is none.
 int64_t BreakSearch::first_from(double t, int64_t from, int64_t end) const noexcept {
     int64_t i = end;
     while (i > from && param(i - 1) >= t) {
@@ -168,7 +169,7 @@ int64_t BreakSearch::end_at(double t, int64_t first, int64_t end) const noexcept
     return i;
 }
 
-// The break between data number `at` - 1 and `at`.
+// Finds the break between data `at` - 1 and `at`.
 bool BreakSearch::meet(const Spline &a, const Spline &b, const ConstRecords &params, int64_t at,
                        Break &found) const {
     constexpr int sections = 60;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where data are not smooth.
+// Breaks of data: kinks and jumps.
 #pragma once
 
 #include "fit/adaptive/fit_domain.h"
@@ -9,21 +9,22 @@
 
 namespace nrb::fit {
 
-// Of data that a smooth fit over even spans misses here and there by more than the tolerance, and data of a curve in the order
-// of their parameters: places between two data such that one polynomial is within the tolerance on the data of some spans
-// before, and another one on those after. At a kink the place is where the two are nearest to each other, within the
+// Finds the breaks of curve data that a smooth fit over uniform spans misses here and there by more than the
+// tolerance; the data are in the order of their parameters. A break is a place between two data such that one
+// polynomial is within the tolerance of the data of some spans before it, and another one of those after it.
+// At a kink it is the place near there at which the two polynomials are closest to each other, within the
 // tolerance.
 class BreakSearch {
 public:
-    // `distances` of the data from the fit.
+    // `distances`: those of the data from the fit. `span`: the length of its spans.
     BreakSearch(const Data &sorted, std::vector<double> distances, int degree, double span, double tolerance);
 
-    // Jumps are located with all data, of which the sorted ones are some.
+    // `all`: all data, of which the sorted ones are some; the breaks are located among these.
     [[nodiscard]] std::vector<Break> breaks(const Data &all) const;
 
 private:
     struct Cluster {
-        int64_t first, last; // data
+        int64_t first, last; // indices of data
     };
     [[nodiscard]] std::vector<Cluster> clusters() const;
     [[nodiscard]] bool find(const Cluster &cluster, const Cluster &room, double window, const Data &all,

@@ -18,7 +18,7 @@ namespace {
 
 using Axes = std::vector<KnotVectorPtr>;
 
-// Of simple knots those that are not near a break, and the breaks.
+// The breaks, and those simple knots that are not near a break.
 std::vector<Break> with_breaks(const std::vector<double> &inner, const std::vector<Break> &breaks) {
     constexpr double near = 0.25; // of the distance to the next knot
     std::vector<Break> all = breaks;
@@ -48,7 +48,7 @@ std::vector<double> even_knots(Interval domain, int64_t spans) {
     return knots;
 }
 
-// Of control points, with the copies of periodic axes.
+// The number of control points, periodic copies included.
 int64_t count_of(const Axes &axes) noexcept {
     int64_t count = 1;
     for (const KnotVectorPtr &axis : axes) {
@@ -72,13 +72,14 @@ public:
         : all_(data), domain_(domain), tolerance_(tolerance), max_count_(max_count), wishes_(wishes),
           breaks_(domain.breaks) {
         wishes_.regularise = true;
-        if (count_of(even_axes(1)) > max_count) { // there is no room for what is known to break
+        if (count_of(even_axes(1)) > max_count) { // there is no room for the known breaks
             breaks_ = {};
             domain_.seams = FitDomain{}.seams;
         }
     }
 
-    // Where the limit of work ends the search, all data are fitted once over the best knots that it met, if that takes no longer.
+    // If the limit of work ends the search, all data are fitted once over the best knots found so far, unless
+    // that takes longer than `seconds_for_one`. A limit of the caller counts instead of these seconds.
     ToleranceFit fit(double seconds_for_one) {
         {
             const PartOfWork half;
@@ -86,7 +87,7 @@ public:
         }
         if (best_.rounds == 0) {
             const NeededWork needed;
-            const bool counted = !needed.is_free(); // for a limit of the caller, which then is the only one
+            const bool counted = !needed.is_free(); // against a limit of the caller, then the only one
             Axes axes = met_.axes.empty() ? even_axes(1) : met_.axes;
             if (!counted && !takes(seconds_for_one, axes)) {
                 axes = even_axes(1);
@@ -99,11 +100,12 @@ public:
     }
 
 private:
-    // How many data are looked at first.
+    // The number of data that are looked at first.
     [[nodiscard]] int64_t some() const noexcept { return domain_.degrees.size() == 1 ? 2000 : 20000; }
-    static constexpr int64_t most_of_grid = 8100; // control points, whose equations take longest
+    static constexpr int64_t most_of_grid = 8100; // control points of grids, whose equations take longest
 
-    // Whether a fit of all data takes no more than so many seconds, about: what fills in grows with the axes.
+    // Whether a fit of all data takes at most about `seconds`: the fill-in of the factors of its equations
+    // grows with the number of axes.
     [[nodiscard]] bool takes(double seconds, const Axes &axes) const noexcept {
         constexpr std::array<double, max_axes> unknowns_in_a_second{1e6, 20000, 6000};
         constexpr double sums_in_a_second = 5e8;
@@ -118,7 +120,7 @@ private:
                static_cast<double>(unknowns_of(axes)) <= seconds * unknowns_in_a_second[axes.size() - 1];
     }
 
-    // With ever more of the data, until what does for them does for all.
+    // With more and more of the data, until knots that are enough for them are enough for all.
     void search() {
         constexpr int64_t for_each_unknown = 12, more = 8;
         int64_t size = std::min(all_.params.count, some());
@@ -144,8 +146,9 @@ private:
         }
     }
 
-    // From a fit over even spans, with the breaks that it shows; whether that does for some of the data. Where many spans do,
-    // breaks that the last fit showed which did not may make fewer of them do.
+    // Finds the knot densities by a fit over uniform spans, with the breaks that it shows. Returns whether
+    // that fit is within the tolerance of `data`, some of all data. Where that takes many spans, fewer may be
+    // enough with the breaks shown by the last fit that was not within the tolerance.
     bool find_densities(const Data &data) {
         even_ = even_fit(data);
         while (domain_.find_breaks && domain_.degrees.size() == 1 && even_.missed != nullptr &&
@@ -203,15 +206,16 @@ private:
         }
         return result;
     }
-    // Numbers of inner knots, of each axis.
+    // The numbers of inner knots on each axis.
     using Counts = std::vector<int64_t>;
 
-    // The smallest numbers that do for the data, or the largest ones that are allowed: first on all axes at once, then on one
-    // after the other, because what the density finds where an axis needs no knots is noise.
+    // The smallest numbers of inner knots that are enough for the data, or the largest ones that are allowed:
+    // first on all axes at once, then on one after the other, because a density found where an axis needs no
+    // knots is noise.
     [[nodiscard]] Counts fewest(const Data &data) {
         const int64_t most = largest_level(data);
         int64_t above = std::min(even_.spans, most), below = -1;
-        while (above < most && !enough(counts_at(above), data)) { // even spans were better
+        while (above < most && !enough(counts_at(above), data)) { // uniform spans were better
             below = above;
             above = std::min(most, above + above / 4 + 1);
         }
@@ -226,7 +230,7 @@ private:
         }
         return counts;
     }
-    // By bisection, of those above `below`, if `above` is one.
+    // Bisection for the smallest number above `below` that passes the test; `above` is taken to pass it.
     template <class Test>
     static int64_t smallest(int64_t below, int64_t above, Test &&test) {
         while (below + 1 < above) {
@@ -235,12 +239,13 @@ private:
         }
         return above;
     }
-    // The first of 1, 2, 4, ... even spans that do, or the last ones that are allowed.
+    // The fit over the first of 1, 2, 4, ... uniform spans that are enough, or over the largest number that
+    // is allowed.
     struct EvenFit {
         int64_t spans, unknowns;
         SplinePtr spline;
         double largest;
-        SplinePtr missed; // the last one that did not do
+        SplinePtr missed; // the last fit that was not within the tolerance
         int64_t missed_spans;
     };
     [[nodiscard]] EvenFit even_fit(const Data &data) {
@@ -250,7 +255,7 @@ private:
             const Axes axes = even_axes(spans);
             const bool no_more_doubles = unknowns_of(axes) == before;
             if (no_more_doubles || (spans > 1 && too_many(axes, data))) {
-                if (found.spline == nullptr) { // the conditions contradict each other: let that be told
+                if (found.spline == nullptr) { // the conditions contradict each other: report it
                     (void)fit_points(data, rules_, even_axes(spans / 2), wishes_, true);
                 }
                 return found;
@@ -271,7 +276,8 @@ private:
     [[nodiscard]] bool enough(const Counts &counts, const Data &data) {
         return attempt(data, axes_with(counts)).largest <= tolerance_;
     }
-    // No spline where there are too few control points for the conditions; NaN is within no tolerance, even an infinite one.
+    // Returns no spline where there are too few control points for the conditions. Its distance is then NaN,
+    // which is within no tolerance, even an infinite one.
     [[nodiscard]] FittedPoints attempt(const Data &data, const Axes &axes) {
         try {
             FittedPoints made = fit_points(data, rules_, axes, wishes_, true);
@@ -284,7 +290,7 @@ private:
             return {{}, 0, NAN, -1};
         }
     }
-    // The fewest knots that do, or else those that miss least.
+    // Keeps the axes with the fewest knots that are enough, or else those that miss the data least.
     void note(const Axes &axes, double largest) {
         const bool does = largest <= tolerance_, did = met_.largest <= tolerance_;
         const bool better = does != did ? does
@@ -304,7 +310,7 @@ private:
         return smallest(below, above, [&](int64_t level) { return !allowed(level); }) - 1;
     }
 
-    // With all data, and more knots where that is not enough.
+    // Fits all data, with more knots if these are not enough.
     void finish(Counts counts) {
         constexpr int most_rounds = 4;
         for (int round = 1; round <= most_rounds; ++round) {
@@ -337,7 +343,8 @@ private:
         }
         return axes;
     }
-    // So many inner knots along the axis that needs most, as many parts of them along others as these need.
+    // `level` inner knots along the axis that needs most; along others fewer, in proportion to what they
+    // need.
     [[nodiscard]] Counts counts_at(int64_t level) const {
         double most = 0;
         for (const KnotDensity &density : densities_) {
@@ -357,8 +364,8 @@ private:
         }
         return axes;
     }
-    // Also where knots are nearly as near to each other as data: of many data that would be noise, and of some of them others
-    // lie between.
+    // Also true where knots are nearly as close together as data: with many data the fit would follow noise,
+    // and with some of the data others lie between.
     [[nodiscard]] bool too_many(const Axes &axes, const Data &data) const noexcept {
         const int64_t for_each_unknown = all_.params.count > some() ? 3 : 1;
         const int64_t told = data.params.count + std::ssize(wishes_.conditions);
@@ -378,7 +385,7 @@ private:
     struct {
         Axes axes;
         double largest;
-    } met_{}; // of some of the data
+    } met_{}; // the best so far, for some of the data
     ToleranceFit best_{};
 };
 
@@ -387,7 +394,7 @@ private:
 ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, const FitDomain &domain,
                               double tolerance, int64_t max_count, const FitWishes &wishes,
                               double seconds_for_one) {
-    // Of all data, so that what is wrong with one is told by its index.
+    // Checks all data, so that an error in one is reported with its index.
     check_data(*form_for(data, rules, simplest_axes(domain)), data, rules);
     const UsualLimit usual(usual_work(data.params.count, 200000));
     const auto search = [&](const Data &clean) {
@@ -398,7 +405,7 @@ ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, co
     }
     const CleanData clean(data, rules, domain.domains);
     ToleranceFit found = search(clean.packed.data());
-    int64_t &largest = found.points.largest_index; // of the caller
+    int64_t &largest = found.points.largest_index; // index in the caller's data
     largest = largest < 0 ? largest : clean.indices[static_cast<size_t>(largest)];
     return found;
 }

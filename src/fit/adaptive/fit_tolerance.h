@@ -14,11 +14,12 @@ struct ToleranceFit {
     int rounds; // fits over all data
 };
 
-// The spline with few control points, at most max_count, that no datum is farther from than the tolerance; else the closest
-// one that was met. Knots lie where KnotDensity has them for a fit over even ones: their number is found by bisection on
-// some of the data, checked with all, and raised where that does not do. At a limit of work, which is a usual one unless the
-// caller has set one, the best knots that were met make the result: one fit more, which may take about so many seconds, else there is
-// none. Throws what fit_points() does.
+// A spline with few control points, at most max_count, from which no datum is farther than the tolerance;
+// otherwise the closest one that was found. Knots are distributed by the KnotDensity of a fit over uniform
+// knots. Their number is found by bisection on some of the data, checked with all, and raised where it is not
+// enough. At the limit of work, a usual one unless the caller has set one, the best knots found so far make
+// the result. That takes one more fit, which may take about `seconds_for_one` seconds; if it would take
+// longer, there is no result. Throws what fit_points() throws.
 ToleranceFit fit_to_tolerance(const Data &data, const eval::AxisRules &rules, const FitDomain &domain,
                               double tolerance, int64_t max_count, const FitWishes &wishes,
                               double seconds_for_one = infinity);

@@ -14,8 +14,8 @@ namespace nrb::fit {
 
 namespace {
 
-// Over the domain from 0 to 1, with a largest control point of 1: no power of two in a scale changes a bit, and derivatives
-// do not overflow.
+// The spline over the domain [0, 1] with a largest coordinate of 1: a scale that is a power of two does not
+// change a bit of the result, and derivatives do not overflow.
 SplinePtr normalised(const Spline &fine, int axis) {
     const double extent = largest_magnitude(fine.points());
     const auto [lower, upper] = fine.axis(axis).domain();
@@ -38,7 +38,8 @@ SplinePtr normalised(const Spline &fine, int axis) {
     return make_result(std::move(axes), fine.dim(), Form::polynomial, std::move(points));
 }
 
-// Of each knot inside the domain: the largest jump of the derivative of order p, divided by the mean of the spans beside it.
+// For each knot inside the domain: the largest jump of the derivative of order p, divided by the mean of the
+// spans beside the knot.
 std::vector<double> slopes(const Spline &steps, int axis, const std::vector<double> &breaks) {
     const AxisView view = axis_view(steps, axis, steps.dim());
     std::vector<double> result(breaks.size(), 0.0);
@@ -61,7 +62,7 @@ std::vector<double> slopes(const Spline &steps, int axis, const std::vector<doub
     return result;
 }
 
-// At multiple knots, the larger one of the slopes beside them.
+// Replaces the slope at a multiple knot by the larger one of those beside it.
 void leave_out_multiple_knots(const KnotVector &axis, std::vector<double> &slopes) {
     const auto groups = distinct_knots(axis.knots());
     const Interval domain = axis.domain();
@@ -92,7 +93,7 @@ KnotDensity::KnotDensity(const SplinePtr &fine, int axis) {
         root = std::pow(root, 1.0 / (p + 1));
     }
     const size_t spans = breaks_.size() - 1;
-    if (spans > 1) { // beyond the ends as at the knots next to them
+    if (spans > 1) { // at the ends as at the knots next to them
         roots.front() = roots[1];
         roots.back() = roots[spans - 1];
     }

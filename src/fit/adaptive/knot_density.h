@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a spline that approximates another one needs its knots.
+// The density of knots with which a spline approximates another one best.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,20 +8,21 @@
 
 namespace nrb::fit {
 
-// Over an interval of length h a spline of degree p is off by about |D^(p+1) f| h^(p+1), so that the errors of all intervals
-// are alike if each holds as much of the integral of |D^(p+1) f|^(1/(p+1)) as the others (C. de Boor, "A practical guide to
-// splines", 2001, chapter XII; R. Yeh, Y. Nashed, T. Peterka, X. Tricoche, "Fast automatic knot placement method for accurate
-// B-spline curve fitting", CAD 128 (2020)). Of a spline f of degree p that derivative is estimated from the jumps of the one
-// of order p; across the other axes the largest one counts.
+// On an interval of length h a spline of degree p deviates from f by about |D^(p+1) f| h^(p+1). The errors on
+// all intervals are therefore alike if each interval holds an equal part of the integral of
+// |D^(p+1) f|^(1/(p+1)) (C. de Boor, "A practical guide to splines", 2001, chapter XII; R. Yeh, Y. Nashed, T.
+// Peterka, X. Tricoche, "Fast automatic knot placement method for accurate B-spline curve fitting", CAD 128
+// (2020)). For a spline f of degree p, that derivative is estimated from the jumps of the derivative of order
+// p; across the other axes the largest estimate counts.
 class KnotDensity {
 public:
-    // Knots of `fine` that are multiple stay as they are, and what jumps there does not count.
+    // Multiple knots of `fine` stay as they are; the jumps there do not count.
     KnotDensity(const SplinePtr &fine, int axis);
 
-    // The whole integral, which does not depend on the unit of the parameter.
+    // The integral over the whole domain; it does not depend on the unit of the parameter.
     [[nodiscard]] double content() const noexcept { return sums_.back(); }
-    // Inside the domain, increasing; fewer where there are not so many doubles. The ends of the intervals between them hold
-    // equal parts.
+    // `count` increasing knots inside the domain; fewer where there are not so many doubles. The intervals
+    // between them and the ends of the domain hold equal parts of the integral.
     [[nodiscard]] std::vector<double> knots(int64_t count) const;
 
 private:

@@ -26,7 +26,7 @@ void add_point(const ConstRecords &points, int64_t i, std::vector<double> &to) {
     }
 }
 
-// As they were given.
+// The points that count, in the coordinates and the order of the caller.
 Cloud counted(const ConstRecords &points, const ConstRecords &weights) {
     Cloud cloud{static_cast<int>(points.width),
                 0,
@@ -51,7 +51,8 @@ Cloud counted(const ConstRecords &points, const ConstRecords &weights) {
     return cloud;
 }
 
-// By coordinates, then weights: where these agree, exchanging points changes nothing but the index that is told.
+// Sorted by coordinates, then by weights. Where both agree, exchanging points changes nothing but the index
+// that is reported.
 std::vector<int64_t> order_of(const Cloud &cloud) {
     std::vector<int64_t> order(cloud.weights.size());
     std::iota(order.begin(), order.end(), int64_t{0});
@@ -69,7 +70,7 @@ std::vector<int64_t> order_of(const Cloud &cloud) {
 
 struct Extent {
     std::vector<double> middle;
-    double size = 0; // the largest of a coordinate
+    double size = 0; // the largest extent of a coordinate
 };
 
 Extent extent_of(const std::vector<double> &points, std::span<const double> more, size_t dim) {
@@ -88,8 +89,10 @@ Extent extent_of(const std::vector<double> &points, std::span<const double> more
     return extent;
 }
 
-// A multiple of a power of two that is not below the extent, where the middle is at least four times as far away: then
-// coordinates are multiples of their last digit from it, fewer than they are from 0, so that differences are exact.
+// The origin for coordinates around `middle`: the middle, rounded to a multiple of a power of two (`grid`)
+// that is not below the extent, if it is at least four times as far from 0; otherwise 0. In the first case
+// the difference of a coordinate and the origin is a multiple of the unit in the last place of the
+// coordinate, and smaller than the coordinate, so that it is exact.
 double origin_for(double middle, double extent) noexcept {
     constexpr double far = 4, most = 0x1p53;
     const double grid = std::ldexp(1.0, exponent_above(extent));
@@ -98,10 +101,10 @@ double origin_for(double middle, double extent) noexcept {
     }
     const double part = middle / grid;
     return std::abs(part) < most ? std::round(part) * grid
-                                 : middle; // that far away, coordinates are all the same
+                                 : middle; // that far away, all coordinates are equal
 }
 
-// About the origin, in units that none exceeds.
+// Moves the points to coordinates relative to the origin, in units that none of them exceeds.
 void place(Cloud &cloud, std::span<const double> start) {
     const auto dim = static_cast<size_t>(cloud.dim);
     const Extent extent = extent_of(cloud.points, start, dim);
@@ -116,7 +119,7 @@ void place(Cloud &cloud, std::span<const double> start) {
     }
     cloud.exponent = exponent_above(largest);
     for (size_t i = 0; i < cloud.points.size(); ++i) {
-        cloud.points[i] = cloud.own(cloud.points[i], i % dim) + 0.0; // no -0, which compares as 0
+        cloud.points[i] = cloud.own(cloud.points[i], i % dim) + 0.0; // no -0, which compares equal to 0
     }
 }
 

@@ -32,13 +32,14 @@ CloudPenalty::CloudPenalty(const Spline::Axes &axes, int order)
     : order_(possible_order(axes, order)), form_(penalty(axes, order_)),
       columns_(form_.columns(natural_order(form_.size()))) {}
 
-// Of bars with free ends, (-1)^m y^(2m) = least y on [0, 1]: exact for m = 1, within 2% for m = 2.
+// The smallest positive eigenvalue of a bar with free ends, (-1)^m y^(2m) = least y on [0, 1]: exact for
+// m = 1, within 2% for m = 2.
 double CloudPenalty::least() const noexcept {
     return std::pow((order_ + 1) * std::numbers::pi / 2, 2 * order_);
 }
 
 std::vector<double> CloudPenalty::times(const std::vector<double> &x) const {
-    constexpr int work_of_a_product = 8; // with twice the precision
+    constexpr int work_of_a_product = 8; // in double-double precision
     const auto dim = static_cast<int64_t>(x.size()) / size();
     std::vector<double> result(x.size());
     std::vector<DoubleDouble> sums(static_cast<size_t>(dim));
@@ -120,7 +121,7 @@ double CloudEquations::trace() const noexcept {
     return sum;
 }
 
-// With its mirror image.
+// Appends an element and its mirror image.
 void CloudEquations::append_element(std::vector<Entry> &entries, int64_t first, int64_t second,
                                     int64_t place) const {
     const auto dim = static_cast<int64_t>(dim_);
@@ -164,7 +165,7 @@ void CloudEquations::finish(double lambda, const std::vector<double> &x) {
 
 std::optional<CloudEquations::Step> CloudEquations::step(double mu) {
     Step step{std::vector<double>(right_.size()), 0};
-    if (!(unit_ > 0)) { // nothing moves a foot
+    if (!(unit_ > 0)) { // the models do not depend on the step
         return step;
     }
     if (!system_->solve(mu, right_, 1, step.change)) {

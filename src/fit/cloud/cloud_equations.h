@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The equations of a step: which changes of the control points make a sum of quadratic models least.
+// The linear equations of a step: the changes of the control points that minimise a sum of quadratic models.
 #pragma once
 
 #include "fit/cloud/squared_distance.h"
@@ -14,32 +14,35 @@
 
 namespace nrb::fit {
 
-// What the control points of a spline pay for derivatives of an order: sum_c x_c^T P x_c over the coordinates (penalty.h). Of
-// splines all of whose degrees are lower, derivatives of the highest one.
+// The roughness penalty of the control points of a spline: sum_c x_c^T P x_c over the coordinates c
+// (penalty.h). An order above all degrees is lowered to the highest of them.
 class CloudPenalty {
 public:
     CloudPenalty(const Spline::Axes &axes, int order);
 
     [[nodiscard]] const StencilPattern &pattern() const noexcept { return form_.pattern(); }
     [[nodiscard]] int64_t size() const noexcept { return form_.size(); }
-    // About what a function of mean square 1 pays that is orthogonal to those that pay nothing.
+    // About the least penalty of a function of mean square 1 that is orthogonal to the functions without
+    // penalty.
     [[nodiscard]] double least() const noexcept;
-    // Of x [unknowns][dim].
+    // The penalty of x [unknowns][dim].
     [[nodiscard]] double of(const std::vector<double> &x) const;
-    // P x: what x rounds away is not in it, so that polynomials pay nothing beside data for large factors either.
+    // P x, summed in double-double precision, so that polynomials have no penalty beside the data for large
+    // factors either.
     [[nodiscard]] std::vector<double> times(const std::vector<double> &x) const;
-    // Calls visit(row, column, value) for all elements, mirrored ones too.
+    // Calls visit(row, column, value) for all elements, mirrored ones included.
     template <class Visit>
     void for_each(Visit &&visit) const {
         for (int64_t j = 0; j < columns_.size(); ++j) {
             for_each_of(j, [&](int64_t row, const DoubleDouble &value) { visit(row, j, value.high); });
         }
     }
-    // In which order to eliminate coordinates of unknowns, those of one after the other.
+    // The order in which to eliminate the coordinates of the unknowns; those of one unknown follow each
+    // other.
     [[nodiscard]] std::vector<int64_t> elimination_order(int dim) const;
 
 private:
-    // Calls visit(row, value) for a column.
+    // Calls visit(row, value) for the elements of a column.
     template <class Visit>
     void for_each_of(int64_t column, Visit &&visit) const {
         const auto first = static_cast<size_t>(columns_.starts[static_cast<size_t>(column)]),
@@ -54,23 +57,25 @@ private:
     ColumnsOf<DoubleDouble> columns_;
 };
 
-// The change d that makes sum_i w_i (r_i - sum_a b_a d_a)^T W_i (r_i - sum_a b_a d_a) + lambda P(x + d) + mu u |d|^2 least,
-// u the mean of the diagonal of the first term. Unknowns are the coordinates of control points that differ. Elements are kept
-// by the places of the pattern, each a symmetric matrix of dim rows.
+// The Levenberg-Marquardt equations: they give the change d of the control points that minimises
+//     sum_i w_i (r_i - sum_a b_a d_a)^T W_i (r_i - sum_a b_a d_a) + lambda P(x + d) + mu u |d|^2
+// with r_i and W_i of SquaredDistance, the basis functions b_a at foot i, and the mean u of the diagonal of
+// the first term. Unknowns are the coordinates of the distinct control points. Elements are stored at the
+// places of the pattern, each a symmetric matrix of dim rows.
 class CloudEquations {
 public:
     CloudEquations(const Spline::Axes &axes, int dim, const CloudPenalty &penalty);
 
-    // For the functions b at the foot.
+    // Adds the model of a point; `functions` are the b_a at its foot.
     void add(const ActiveFunctions &functions, double weight, const SquaredDistance &model);
-    // With the penalty at x.
+    // Adds the penalty at x and completes the equations.
     void finish(double lambda, const std::vector<double> &x);
 
     struct Step {
         std::vector<double> change; // [unknowns][dim]
-        double promise;             // by how much the sum gets less
+        double promise;             // by how much the sum decreases
     };
-    // None where rounding leaves the equations without a solution.
+    // Nothing where rounding leaves the equations without a solution.
     [[nodiscard]] std::optional<Step> step(double mu);
 
 private:

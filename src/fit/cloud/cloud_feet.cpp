@@ -19,22 +19,23 @@ namespace {
 
 constexpr int order = 2; // of derivatives
 constexpr int64_t block = 64;
-// Looked at for a foot in a round, and on the average of all points, or of a few ones, for the last proofs.
+// Pieces that are looked at for a foot: in a round; and for the last proofs, on the average of all points, or
+// of `few` points if there are fewer.
 constexpr int64_t usual_pieces = 24, proving_pieces = 100;
-constexpr int64_t few = 1000; // points, for which these cost next to nothing
+constexpr int64_t few = 1000; // points, whose proofs cost next to nothing
 
 bool is_left(int32_t status, size_t axis) noexcept {
     return (status & closest::closest_left << axis) != 0;
 }
 
-// Derivatives at the feet, block by block, on the side of a jump that a foot is meant on.
+// Derivatives at the feet, evaluated block by block, on that side of a jump on which the foot lies.
 class FootDerivatives {
 public:
     FootDerivatives(const Spline &spline, const CloudFeet &feet)
         : spline_(spline), feet_(feet), record_(eval::slot_count(spline.axes(), order) * spline.dim()),
           values_(static_cast<size_t>(block * record_)) {}
 
-    // Of point i, the points before it in turn.
+    // The derivatives at foot i, which has to run through 0, 1, 2, ... in turn.
     const double *at(int64_t i) {
         if (i % block == 0) {
             evaluate(i, std::min(block, std::ssize(feet_.distances) - i), {});
@@ -66,7 +67,7 @@ private:
     std::vector<double> values_;
 };
 
-// Of rounding, for coordinates of size 1.
+// The rounding error of a distance, for coordinates of size 1.
 double relative_noise(const Spline &spline) noexcept {
     double functions = 0;
     for (int k = 0; k < spline.axes(); ++k) {
@@ -110,8 +111,8 @@ std::vector<int64_t> CloudFeet::without_proof() const {
     return open;
 }
 
-// The fewer are left, the more pieces each of them may look at, as long as that proves a quarter of them: the passes are few
-// where whole lines of parameters are as near.
+// The fewer feet are left, the more pieces each of them may look at. It goes on only while a pass proves a
+// quarter of them: there are few passes where whole parameter lines are equally near.
 void CloudFeet::prove(const Spline &spline, const Cloud &cloud) {
     std::vector<int64_t> open = without_proof();
     for (size_t before = 2 * open.size(); !open.empty() && 4 * open.size() <= 3 * before;
@@ -139,7 +140,7 @@ void CloudFeet::take(const CloudFeet &found, const std::vector<int64_t> &places,
 }
 
 void CloudFeet::measure_given(const Spline &spline, const Cloud &cloud) {
-    constexpr int widest = 500; // so that squares of rounding amid the largest coordinates do not overflow
+    constexpr int widest = 500; // squares of rounding errors of the largest coordinates must not overflow
     FootDerivatives derivatives(spline, *this);
     exponent = std::max(exponent, exponent_above(largest_magnitude(cloud.origin)) - widest);
     for (int64_t i = 0; i < cloud.size(); ++i) {

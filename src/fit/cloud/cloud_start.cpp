@@ -15,11 +15,11 @@ namespace nrb::fit {
 
 namespace {
 
-// The points along a principal direction.
+// A principal direction, and the spread of the points along it.
 struct Direction {
     std::vector<double> unit;
     Interval range;  // of the points, from their mean
-    double variance; // there
+    double variance; // of the points along it
 };
 
 std::vector<double> mean_of(const Cloud &cloud) {
@@ -34,7 +34,7 @@ std::vector<double> mean_of(const Cloud &cloud) {
     return mean;
 }
 
-// Eigenvectors have no sign of their own: the largest component is made positive.
+// The sign of an eigenvector is arbitrary: makes its component of largest magnitude positive.
 void orient(std::vector<double> &unit) noexcept {
     const double largest = *std::ranges::max_element(unit, {}, [](double x) { return std::abs(x); });
     for (double &x : unit) {
@@ -59,8 +59,9 @@ public:
     [[nodiscard]] const Direction &operator[](size_t k) const noexcept { return directions_[k]; }
     [[nodiscard]] size_t size() const noexcept { return directions_.size(); }
 
-    // How much the points vary about an elliptic cylinder around direction k: the variance of its equation, whose mean is 2
-    // for every one.
+    // How much the points vary about an elliptic cylinder around direction k: up to their number, the
+    // variance of the left side of its equation x^2 / var_x + y^2 / var_y = 2, whose mean is 2 for every
+    // direction.
     [[nodiscard]] double variation_around(size_t k) const noexcept {
         const Direction &a = directions_[(k + 1) % 3], &b = directions_[(k + 2) % 3];
         if (!(a.variance > 0 && b.variance > 0)) {
@@ -97,7 +98,7 @@ private:
     std::vector<Direction> directions_;
 };
 
-// What axis k of the spline adds to the mean at a part of its domain.
+// The offset from the mean that an axis of the spline contributes at a fraction of its domain.
 struct Part {
     std::vector<const Direction *> along; // one, or the two of an ellipse
 
@@ -128,7 +129,7 @@ std::vector<Part> parts_for(const Spread &spread, const Spline::Axes &axes) {
              "flags: no start is found for %lld periodic axes of %lld, expected one of at most 2",
              static_cast<long long>(closed), static_cast<long long>(axes.size()));
     }
-    size_t straight = 0; // the direction of a cylinder
+    size_t straight = 0; // the direction of the axis of a cylinder
     if (closed == 1 && axes.size() == 2) {
         for (size_t k = 1; k < 3; ++k) {
             straight = spread.variation_around(k) < spread.variation_around(straight) ? k : straight;

@@ -20,28 +20,29 @@ namespace {
 
 // A spline in the units of the cloud, with what is known of it.
 struct Candidate {
-    std::vector<double> x; // control points that differ, [unknowns][dim]
+    std::vector<double> x; // distinct control points, [unknowns][dim]
     SplinePtr spline;
     CloudFeet feet;
-    double bend; // what the penalty is without its factor
+    double bend; // the penalty without its factor lambda
 
     [[nodiscard]] double sum(double lambda) const noexcept { return feet.squares + lambda * bend; }
 };
 
+// The Levenberg-Marquardt iteration: mu_ is the factor of the squared step, lambda_ that of the penalty.
 class CloudDescent {
 public:
     CloudDescent(const Spline &start, const Cloud &cloud, const CloudWishes &wishes)
         : axes_(start.knot_vectors()), cloud_(cloud), wishes_(wishes), penalty_(axes_, wishes.penalty_order),
           weight_(cloud.weight()), now_(first_candidate(start)) {}
 
-    // Where the limit of work ends the descent, the other half of it is left for proofs.
+    // If the limit of work ends the descent, the other half of the work is left for proofs.
     void run() {
         const PartOfWork half;
         converged_ = attempted([&] { descend(); }) && converged_;
-        lambda_ = is_met() ? 0 : lambda_; // the sum is that for any
+        lambda_ = is_met() ? 0 : lambda_; // the sum is the same for any lambda
     }
 
-    // With proofs that the steps did not need.
+    // The result, after searching for proofs that the steps did not need.
     [[nodiscard]] const Candidate &found() {
         now_.feet.prove(*now_.spline, cloud_);
         return now_;
@@ -51,20 +52,23 @@ public:
     [[nodiscard]] bool converged() const noexcept { return converged_; }
 
 private:
-    // What lambda is divided by in a round at most. Relative to the weight of all points, the smallest one that smooths
-    // anything, the largest one that is tried (a bend of the whole domain pays some 500 times its square), and the quotient of
-    // squares and penalty above which a start has no shape (an ellipse pays 780 times the square of its axes).
+    // `ratio`: by which lambda is divided in a round at most. The others are relative to the weight of all
+    // points. `smallest`: the smallest lambda that smooths anything. `largest`: the largest lambda that is
+    // tried (the penalty of a bend of the whole domain is some 500 times its square). `shapeless`: the
+    // quotient of squares and penalty above which a start has no shape (the penalty of an ellipse is 780
+    // times the square of its axes).
     static constexpr double ratio = 8, smallest = 0x1p-40, largest = 0x1p-4, shapeless = 0x1p-10;
-    // How many times the weight of all points what pays least pays, where it is gone: larger factors only lose digits.
+    // Where lambda times the least penalty of a function of mean square 1 (CloudPenalty::least()) is this
+    // many times the weight of all points, all that has a penalty is gone: larger factors only lose digits.
     static constexpr double stiffest = 0x1p26;
-    static constexpr double most_freedom = 0.25; // of the points
+    static constexpr double most_freedom = 0.25; // as a part of the number of points
     static constexpr double first_mu = 0x1p-10, least_mu = 0x1p-40, small_mu = 0x1p-10, most_mu = 0x1p60,
                             mu_ratio = 8;
 
     void descend() {
         lambda_ = first_lambda();
         converged_ = is_met();
-        while (rounds_ < wishes_.rounds && !converged_ && mu_ <= most_mu) { // beyond it equations overflow
+        while (rounds_ < wishes_.rounds && !converged_ && mu_ <= most_mu) { // equations overflow beyond it
             const bool settled = take_step();
             const double before = lambda_;
             lambda_ = next_lambda();
@@ -82,7 +86,7 @@ private:
         });
         return x;
     }
-    // Calls visit(unknown) for all control points, with the copies.
+    // Calls visit(unknown) for all control points, periodic copies included.
     template <class Visit>
     void for_each_point(Visit &&visit) const {
         Index counts{1, 1, 1};
@@ -93,7 +97,7 @@ private:
     }
 
     Candidate first_candidate(const Spline &start) {
-        const NeededWork needed; // an answer if there is no other one
+        const NeededWork needed; // the answer if there is no better one
         return candidate(unknowns_of(start));
     }
     Candidate candidate(std::vector<double> x) {
@@ -110,8 +114,9 @@ private:
         return {std::move(x), std::move(spline), std::move(feet), bend};
     }
 
-    // What pays next to nothing beside its distances, as a line or a plane does, tells nothing of the shape that is wanted:
-    // lambda falls from its largest value on, until it shows. Any other start is meant as it is.
+    // A start with next to no penalty relative to its distances, such as a line or a plane, says nothing
+    // about the shape that is wanted: lambda then falls from its largest value until the shape shows. Any
+    // other start is meant as it is.
     [[nodiscard]] bool is_shapeless() const noexcept {
         return now_.feet.squares >= shapeless * weight_ * now_.bend && !is_exact();
     }
@@ -127,9 +132,10 @@ private:
         const double wanted = wishes_.lambda < 0 && is_shapeless() && !small ? 0 : wanted_lambda();
         return std::min(lambda_, small ? wanted : std::max(smaller, wanted));
     }
-    // If it is not given: the quotient of the variances of distances and of what is penalised, the latter with as many
-    // freedoms as control points have across the spline. That is the fixed point of S. Wood and M. Fasiolo, "A generalized
-    // Fellner-Schall method for smoothing parameter optimization", Biometrics 73 (2017), which maximises the likelihood.
+    // If lambda is not given: the quotient of the variance of the distances and that of what is penalised,
+    // the latter with as many degrees of freedom as control points have across the spline. This is the fixed
+    // point of S. Wood and M. Fasiolo, "A generalized Fellner-Schall method for smoothing parameter
+    // optimization", Biometrics 73 (2017), which maximises the likelihood.
     [[nodiscard]] double wanted_lambda() const noexcept {
         if (wishes_.lambda >= 0) {
             return in_units(wishes_.lambda);
@@ -142,15 +148,15 @@ private:
     [[nodiscard]] double in_units(double lambda) const noexcept {
         return std::min(stiffest * weight_ / penalty_.least(), std::ldexp(lambda, -cloud_.weight_exponent));
     }
-    // Whether the distances are those of rounding.
+    // Whether the distances are nothing but rounding errors.
     [[nodiscard]] bool is_exact() const noexcept {
         return std::sqrt(now_.feet.squares / weight_) <= distance_noise(*now_.spline, cloud_);
     }
 
-    // Exact, where nothing is to be paid for bends.
+    // Whether the fit is exact and no penalty was asked for.
     [[nodiscard]] bool is_met() const noexcept { return !(wishes_.lambda > 0) && is_exact(); }
 
-    // Goes on until a step lowers the sum, or none does; whether that is all that can be had.
+    // Raises mu until a step lowers the sum, or none does. Returns whether the descent has converged.
     bool take_step() {
         CloudEquations equations(axes_, cloud_.dim, penalty_);
         add_models(*now_.spline, cloud_, now_.feet, equations);
@@ -165,7 +171,7 @@ private:
         }
         return false;
     }
-    // Whether that is all that can be had; nothing where the step did not lower the sum and a shorter one may.
+    // Whether the descent has converged; nothing where the step did not lower the sum and a shorter one may.
     std::optional<bool> tried(const CloudEquations::Step &step, double before) {
         std::optional<Candidate> other = step.promise > 0 ? moved(step.change) : std::nullopt;
         const double gain = other ? before - other->sum(lambda_) : 0;
@@ -177,7 +183,7 @@ private:
         }
         return step.promise <= wishes_.tolerance * before ? std::optional(true) : std::nullopt;
     }
-    // None where control points overflow.
+    // Nothing where control points overflow.
     std::optional<Candidate> moved(const std::vector<double> &change) {
         std::vector<double> x = now_.x;
         for (size_t i = 0; i < x.size(); ++i) {
@@ -189,7 +195,7 @@ private:
         }
         return candidate(std::move(x));
     }
-    // How much of what the models promised was had.
+    // Adapts mu to the part of the promised decrease that was achieved.
     void trust(double part) noexcept {
         constexpr double good = 0.75, bad = 0.25;
         if (part > good) {
@@ -223,8 +229,8 @@ int64_t count_of(const CloudFeet &feet, int32_t bit, int32_t value) noexcept {
     return std::ranges::count_if(feet.status, [&](int32_t status) { return (status & bit) == value; });
 }
 
-// sum w d^2 = sum 2^exponent, for weights of the cloud and given distances, however far the largest one is from the largest
-// coordinate.
+// sum w d^2 = sum 2^exponent, for the weights of the cloud and given distances, however small the largest
+// distance is beside the largest coordinate.
 struct Squares {
     double sum;
     int exponent; // even
@@ -243,7 +249,7 @@ Squares squares_of(const CloudFeet &feet, const Cloud &cloud) {
         terms.push_back({w * d * d, of_weight + 2 * of_distance});
         largest = d > 0 ? std::max(largest, terms.back().exponent) : largest;
     }
-    largest += largest & 1; // a root is taken of it
+    largest += largest & 1; // even, because a root is taken
     DoubleDouble sum;
     for (const Term &term : terms) {
         sum = sum + DoubleDouble(term.part > 0 ? std::ldexp(term.part, term.exponent - largest) : 0);

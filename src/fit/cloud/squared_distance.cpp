@@ -24,7 +24,8 @@ double SquaredDistance::curvature(size_t a, size_t b, const double *r) const noe
     return dot(r, derivatives_ + eval::slot(axes_, orders) * dim_, dim_);
 }
 
-// By Gram and Schmidt, twice; false for a tangent that is that of other axes to rounding.
+// Gram-Schmidt orthogonalisation, twice; false for a tangent that depends linearly on those of other axes, up
+// to rounding.
 bool SquaredDistance::add_tangent(size_t axis) noexcept {
     constexpr double least = 0x1p-40;
     const double *given = tangent(axis);
@@ -55,7 +56,7 @@ bool SquaredDistance::add_tangent(size_t axis) noexcept {
     return true;
 }
 
-// K: the solution of F K F^T = -(r.s_ab), F the factor.
+// The matrix K, the solution of F K F^T = -(r.s_ab) with F = factor_.
 AxisMatrix SquaredDistance::bends(const double *r) const noexcept {
     AxisMatrix k{};
     for (size_t i = 0; i < found_; ++i) {

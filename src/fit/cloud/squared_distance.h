@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The squared distance of a point to a spline that moves.
+// Squared distance minimisation: the squared distance of a point to a spline that moves.
 #pragma once
 
 #include "eval/kernels/slots.h"
@@ -9,25 +9,29 @@
 
 namespace nrb::fit {
 
-// A quadratic model of the squared distance. For a point at r from its foot s, where the spline moves by m: if the foot
-// slides along by dt, |r - m - s_a dt_a|^2 - r.s_ab dt_a dt_b is least at H dt = -m.s_a with H = s_a.s_b - r.s_ab (what m
-// does to the tangents left out), so that the distance becomes
+// A quadratic model of the squared distance of a point x to the spline. Let s be the foot of x, r = x - s,
+// and s_a, s_ab the derivatives at the foot along the axes a, b. If the spline moves by m there, and the foot
+// slides along the spline by dt, then |r - m - s_a dt_a|^2 - r.s_ab dt_a dt_b is least where H dt = -m.s_a
+// with H_ab = s_a.s_b - r.s_ab (the effect of m on the tangents is neglected). The squared distance then
+// becomes
 //
 //     (r - m)^T W (r - m),    W = 1 - J H^-1 J^T,    J = (s_1, s_2, ..).
 //
-// In an orthonormal frame of the tangents H is 1 + K, where K has the curvatures times the distance; where an eigenvalue of
-// K is negative, on the hollow side, it counts as 0, so that W has eigenvalues from 0 to 1: in normal directions 1, in
-// tangential ones those of the tangent distance, 0, beside a flat piece, and of the distance to the foot, 1, far away from a
-// bent one (W. Wang, H. Pottmann, Y. Liu, "Fitting B-spline curves to point clouds by curvature-based squared distance
-// minimization", ACM TOG 25 (2006); the term r.s_ab also for surfaces, and in any dimension). Along axes on which the foot
-// stays, and that have no tangent, it does not slide.
+// In an orthonormal frame of the tangents, H is 1 + K, where K has the curvatures times the distance. A
+// negative eigenvalue of K, on the concave side, counts as 0, so that the eigenvalues of W are from 0 to 1.
+// They are 1 in normal directions. In tangential directions they are 0 beside a flat piece, as in the tangent
+// distance, and tend to 1 far away from a curved piece, as in the distance to the foot (W. Wang, H. Pottmann,
+// Y. Liu, "Fitting B-spline curves to point clouds by curvature-based squared distance minimization", ACM TOG
+// 25 (2006); here with the term r.s_ab for surfaces and in any dimension, too). The foot does not slide along
+// axes on which it stays, nor along those without a tangent.
 class SquaredDistance {
 public:
     SquaredDistance(int axes, int dim);
 
-    // Derivatives up to order 2 [slots][dim]; `stays` by axes; r = point - foot.
+    // `derivatives` up to order 2, [slots][dim]; `stays`: the axes on which the foot does not slide; r is the
+    // point minus the foot.
     void set(const double *derivatives, const std::array<bool, max_axes> &stays, const double *r) noexcept;
-    // The lower half of W, row after row; W r.
+    // matrix(): the lower triangle of W, row by row; force(): W r.
     [[nodiscard]] const std::vector<double> &matrix() const noexcept { return matrix_; }
     [[nodiscard]] const std::vector<double> &force() const noexcept { return force_; }
 

@@ -12,7 +12,7 @@ namespace nrb::fit {
 
 namespace {
 
-// The largest coefficient becomes 1 or -1.
+// Scales a row so that its largest coefficient is 1 or -1.
 void scale(LinearRow &row) noexcept {
     double most = 0;
     for (const LinearRow::Coefficient &coefficient : row.coefficients) {
@@ -66,7 +66,7 @@ void Conditions::add_squares(NormalEquations &equations) {
 
 namespace {
 
-// The part of a dense symmetric matrix [count][count] that some rows and columns make up.
+// The submatrix of a dense symmetric matrix [count][count] with the rows and columns `kept`.
 ColumnsOf<DoubleDouble> part(const std::vector<DoubleDouble> &matrix, size_t count,
                              std::span<const size_t> kept) {
     ColumnsOf<DoubleDouble> columns;
@@ -81,8 +81,9 @@ ColumnsOf<DoubleDouble> part(const std::vector<DoubleDouble> &matrix, size_t cou
     return columns;
 }
 
-// Solves matrix [count][count] mu = right [count][width], row after row. Rows that follow from those before them get a mu of
-// 0 if their right side follows as well, else Status::contradiction.
+// Solves matrix [count][count] mu = right [count][width], row by row. A row that depends linearly on those
+// before it gets mu = 0 if its right-hand side depends on theirs in the same way; otherwise
+// Status::contradiction is thrown.
 class Multipliers {
 public:
     Multipliers(const std::vector<DoubleDouble> &matrix, const std::vector<DoubleDouble> &right, int width)
@@ -159,7 +160,8 @@ private:
 
 } // namespace
 
-// With A Z = C^T for the rows C of the conditions: C Z mu = C x - t, and x - Z mu is the solution.
+// Let C be the rows of the conditions, t their targets, A the matrix of the system, and A Z = C^T. With mu
+// from C Z mu = C x - t, the solution is x - Z mu.
 double Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const {
     const auto count = std::ssize(rows_);
     const auto at = [&](int64_t i, int64_t j) { return static_cast<size_t>(i * count + j); };
@@ -194,8 +196,9 @@ double Conditions::impose(PenalisedSystem &system, int dim, std::vector<DoubleDo
     return lost_freedom(system, columns, matrix);
 }
 
-// With Z = A^-1 C^T, G without the squares, and all of it for those of the conditions that are independent:
-// factor tr C Z + tr (C Z)^-1 Z^T G Z.
+// Let Z = A^-1 C^T, and G the matrix of the data, without the squares of the conditions. The loss is
+//     factor tr (C Z) + tr ((C Z)^-1 Z^T G Z)
+// where C and Z of the second term are restricted to linearly independent conditions.
 double Conditions::lost_freedom(const PenalisedSystem &system, const std::vector<DoubleDouble> &columns,
                                 const std::vector<DoubleDouble> &matrix) const {
     const auto count = rows_.size();

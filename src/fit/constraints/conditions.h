@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Linear equations that a fit has to fulfil.
+// Linear equality constraints of a fit.
 #pragma once
 
 #include "fit/constraints/linear_rows.h"
@@ -24,12 +24,13 @@ public:
 
     [[nodiscard]] bool empty() const noexcept { return rows_.empty(); }
     [[nodiscard]] const std::vector<LinearRow> &rows() const noexcept { return rows_; }
-    // Adds multiples of the squares of what is missing to the sum that is minimised: they vanish at the solution, and
-    // determine what only the conditions determine.
+    // Adds a multiple of the squared residuals of the conditions to the sum that is minimised. They vanish at
+    // the solution, and determine what only the conditions determine.
     void add_squares(NormalEquations &equations);
-    // From the minimum of that sum to that under the conditions, by Lagrange's multipliers. Throws Status::contradiction with
-    // the index of a condition that those before it, or the spline, do not allow.
-    // Returns by how much the trace of the influence matrix of the data is less than that of the equations with the squares.
+    // Moves x from the minimum of that sum to the minimum under the conditions, by Lagrange multipliers.
+    // Throws Status::contradiction with the index of a condition that those before it, or the spline, do not
+    // allow. Returns by how much the trace of the influence matrix of the data is less than that of the
+    // equations with the squares.
     double impose(PenalisedSystem &system, int dim, std::vector<DoubleDouble> &x) const;
 
 private:

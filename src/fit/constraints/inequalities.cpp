@@ -12,7 +12,7 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr double stronger = 16; // a factor of the factor
+constexpr double stronger = 16; // by which the factor f is raised or lowered
 
 DoubleDouble dot(const std::vector<DoubleDouble> &a, const std::vector<DoubleDouble> &b) noexcept {
     DoubleDouble sum;
@@ -82,7 +82,7 @@ int64_t Inequalities::try_factorise(const std::vector<bool> &counting, double fa
     return stiff_.try_factorise(0);
 }
 
-// With a smaller factor where the matrix is too stiff.
+// Lowers the factor f where the matrix is too ill-conditioned to be factorised.
 void Inequalities::factorise(const std::vector<bool> &counting) {
     for (int64_t bad = try_factorise(counting, factor_); bad >= 0; bad = try_factorise(counting, factor_)) {
         if (factor_ < mean_) {
@@ -95,7 +95,7 @@ void Inequalities::factorise(const std::vector<bool> &counting) {
     factor_of_factors_ = factor_;
 }
 
-// The minimum of the parabola that has these rows.
+// The minimum of the quadratic function in which exactly these rows count.
 std::vector<DoubleDouble> Inequalities::newton_step(const std::vector<bool> &counting) {
     if (counting != factorised_ || factor_ != factor_of_factors_) {
         factorise(counting);
@@ -111,8 +111,10 @@ std::vector<DoubleDouble> Inequalities::newton_step(const std::vector<bool> &cou
     return stiff_.solve(right, 1);
 }
 
-// Where along the step from x the derivative vanishes, which grows: step (A (x + t step) - r) - sum forces C step. At its end
-// A x - r is the sum of the forces there without the condition of their sign.
+// Exact line search: where along the step from x the derivative vanishes. Its value at x + t step is
+// step^T (A (x + t step) - r) minus the sum of forces times C step over the rows that count, and increases
+// with t. At the end of the step, A x - r is the sum of the forces there over the rows that were factorised,
+// whatever their signs.
 double Inequalities::best_part(const Numbers &x, const Numbers &end, const Numbers &step) const {
     constexpr int halvings = 40;
     const Numbers from = left_sides(x), to = left_sides(end);
@@ -210,7 +212,7 @@ std::vector<DoubleDouble> Inequalities::minimum(Numbers x) {
 
 double Inequalities::freedom(const StencilMatrix &data) {
     const std::vector<bool> rows = factorised_;
-    double factor = 0x1p60 * mean_; // the stiffer the closer to equations
+    double factor = 0x1p60 * mean_; // the stiffer, the closer the rows are to equations
     while (factor > factor_ && try_factorise(rows, factor) >= 0) {
         factor /= stronger * stronger;
     }

@@ -10,7 +10,7 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr double stiffness_of_equations = 0x1p20; // beside the diagonal of A
+constexpr double stiffness_of_equations = 0x1p20; // relative to the diagonal of A
 
 } // namespace
 
@@ -21,7 +21,7 @@ InteriorPoint::InteriorPoint(const NormalEquations &equations, const std::vector
     mean_ = equations.matrix.mean().high;
 }
 
-// Slacks of at least a part of the size of x, and as large as a row is missed by.
+// The slacks are at least a part of the size of x, and at least the largest violation of an inequality.
 void InteriorPoint::start(const Numbers &x) {
     constexpr double part = 0x1p-6;
     x_ = x;
@@ -36,7 +36,8 @@ void InteriorPoint::start(const Numbers &x) {
     for (DoubleDouble &slack : slacks_) {
         slack = std::max(slack.high, least);
     }
-    // Multipliers of second differences are double sums of gradients.
+    // Multipliers of second differences are double sums of gradients, and so grow with the square of the
+    // length.
     double longest = 1;
     for (const KnotVectorPtr &axis : equations_.axes) {
         longest = std::max(longest, static_cast<double>(axis->distinct_layers()));
@@ -73,8 +74,11 @@ bool InteriorPoint::factorise() {
     return stiff_.try_factorise(0) < 0;
 }
 
-// With q = products / s - z:  (A + C^T (z / s) C) dx = -gradient + C^T (q - (z / s) missed), ds = C dx + missed,
-// dz = q - (z / s) ds; equations are taken as springs.
+// With q = products / s - z, the step solves
+//     (A + C^T (z / s) C) dx = -gradient + C^T (q - (z / s) missed)
+//     ds = C dx + missed
+//     dz = q - (z / s) ds
+// Equations are treated as stiff springs.
 InteriorPoint::Step InteriorPoint::step_to(const Numbers &products) {
     Numbers right(gradient_.size()), pull(rows_.size()), stiffness(rows_.size());
     for (size_t i = 0; i < right.size(); ++i) {

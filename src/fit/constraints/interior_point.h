@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A start for least squares under linear inequalities.
+// A starting point for least squares under linear inequalities.
 #pragma once
 
 #include "fit/constraints/linear_rows.h"
@@ -9,13 +9,15 @@
 
 namespace nrb::fit {
 
-// Steps towards min x A x / 2 - r x under C x >= d, and under equations, through the inside of the inequalities (S. Mehrotra, "On
-// the implementation of a primal-dual interior point method", SIAM J. Optim. 2 (1992)): with slacks s = C x - d and multipliers
-// z, all positive, each step has the matrix A + C^T (z / s) C, and s z goes to 0. Their number hardly depends on that of the
-// rows. It ends where the matrix has become too stiff for its factors, which is why others have to finish.
+// A primal-dual interior point method for min x^T A x / 2 - r^T x under C x >= d and equations (S. Mehrotra,
+// "On the implementation of a primal-dual interior point method", SIAM J. Optim. 2 (1992)). With slacks
+// s = C x - d and multipliers z, all positive, each step has the matrix A + C^T (z / s) C, and s z tends to
+// 0. The number of steps hardly depends on the number of rows. The method ends where the matrix has become
+// too ill-conditioned to be factorised, which is why another method (Inequalities) has to finish.
 class InteriorPoint {
 public:
-    // `equations` of dimension 1: matrix A and right side r; the first `equal` rows are equations. All outlive it.
+    // `equations` of dimension 1: matrix A and right side r. The first `equal` rows are equations. All
+    // arguments have to outlive this object.
     InteriorPoint(const NormalEquations &equations, const std::vector<LinearRow> &rows, size_t equal);
 
     struct Point {
@@ -29,12 +31,12 @@ private:
         Numbers x, slacks, multipliers;
     };
     void start(const Numbers &x);
-    // What the equations of the optimum are missed by.
+    // Computes the residuals of the optimality conditions.
     void measure();
     [[nodiscard]] bool factorise();
-    // The step for which s z becomes `products`, to first order.
+    // The step after which s z is `products`, to first order.
     [[nodiscard]] Step step_to(const Numbers &products);
-    // The largest part of it that keeps slacks and multipliers positive.
+    // The largest part of a step that keeps slacks and multipliers positive.
     [[nodiscard]] double allowed(const Step &step) const noexcept;
     [[nodiscard]] double mean_product(const Step &step, double part) const noexcept;
     void take(const Step &step, double part) noexcept;

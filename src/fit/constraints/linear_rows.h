@@ -8,7 +8,8 @@
 
 namespace nrb::fit {
 
-// sum value x[unknown] for each coordinate, which is `target`, or at least that. The largest |value| is 1 at most.
+// A row: for each coordinate, sum value x[unknown] equals `target`, or is at least that. The largest |value|
+// is at most 1.
 struct LinearRow {
     struct Coefficient {
         Index layer;
@@ -23,15 +24,15 @@ struct LinearRow {
 DoubleDouble left_side(const LinearRow &row, const std::vector<DoubleDouble> &x, int64_t width,
                        int64_t c) noexcept;
 
-// Adds factor times the square of the left side.
+// Adds factor times the square of the left side to the quadratic form of the matrix.
 void add_square(const LinearRow &row, const DoubleDouble &factor, StencilMatrix &matrix) noexcept;
 
 // right[unknowns][width] += factor times the row, for coordinate c.
 void add_multiple(const LinearRow &row, const DoubleDouble &factor, int64_t width, int64_t c,
                   std::vector<DoubleDouble> &right) noexcept;
 
-// How large the numbers are beside which x may be wrong: x itself, and by what it misses rows, the first ones of which are
-// equations.
+// The size of the numbers relative to which x may be in error: x itself, and the amounts by which it misses
+// the rows, of which the first `equal` ones are equations.
 double size_of(const std::vector<DoubleDouble> &x, const std::vector<LinearRow> &rows, size_t equal) noexcept;
 
 // The largest magnitude.

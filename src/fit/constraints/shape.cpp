@@ -17,7 +17,8 @@ bool bends(int shape) noexcept {
     return (shape & (Shape::convex | Shape::concave)) != 0;
 }
 
-// The distance of knots over which the difference of control points j and j + 1 is a slope, but for the degree.
+// The knot distance by which the difference of control points j and j + 1 has to be divided to give a slope,
+// up to the degree.
 double slope_length(const KnotVector &axis, int64_t j) noexcept {
     return axis[j + axis.degree() + 1] - axis[j + 1];
 }
@@ -136,7 +137,7 @@ std::vector<LinearRow> CoordinateShape::rows(double margin, double limit) const 
         if (bends(along_[k])) {
             const double sign = (along_[k] & Shape::convex) != 0 ? 1 : -1;
             for_each_run(k, 3, [&](const Index &i) {
-                // The slopes times both lengths, relative to the sum of these.
+                // The difference of the slopes, times both lengths and relative to the sum of these.
                 const double before = slope_length(*axes_[k], i[k]),
                              after = slope_length(*axes_[k], i[k] + 1), part = after / (before + after);
                 add_row(k, i, {sign * part, -sign, sign * (1 - part)}, margin, rows);
@@ -172,7 +173,7 @@ void CoordinateShape::settle(std::vector<double> &points) const {
     }
 }
 
-// (c2 - c1) h0 - (c1 - c0) h1, each difference exactly and products with twice the precision.
+// The sign of (c2 - c1) h0 - (c1 - c0) h1, the differences exact and the products in double-double precision.
 bool CoordinateShape::is_convex(size_t axis, const Index &first, int64_t step,
                                 const std::vector<double> &points) const {
     constexpr double rounding = 0x1p-90;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splines that rise or fall, are convex or concave along their axes, or stay between bounds.
+// Shape constraints: splines that rise or fall, are convex or concave along their axes, or stay between
+// bounds.
 #pragma once
 
 #include "fit/constraints/linear_rows.h"
@@ -8,8 +9,9 @@
 
 namespace nrb::fit {
 
-// What the control points are to fulfil, which is enough for the spline: derivatives are means of the control points of
-// derivatives. Convexity is that the slopes between control points grow, at kinks as well.
+// Constraints on the control points, which are sufficient for the spline: by the convex hull property,
+// derivatives are convex combinations of their control points. Convexity means that the slopes between
+// control points increase, at kinks as well.
 struct ShapeWishes {
     static constexpr int rising = 1, falling = 2, convex = 4, concave = 8;
     std::vector<int> along;           // [axes][dim] sums of these, or empty
@@ -18,29 +20,32 @@ struct ShapeWishes {
     [[nodiscard]] bool empty() const noexcept { return along.empty() && lower.empty() && upper.empty(); }
 };
 
-// Throws Status::rule for a shape that only a constant or a line has, Status::order for a convex axis of degree 0,
-// Status::multiplicity for one that may jump at a knot, Status::contradiction for bounds that cross.
+// Throws Status::rule for a shape that only a constant or a line has, or along a periodic axis; Status::order
+// for a convex or concave axis of degree 0; Status::multiplicity for one that may jump at a knot;
+// Status::contradiction for bounds that cross.
 void check_shape(const std::vector<KnotVectorPtr> &axes, int dim, const ShapeWishes &wishes);
 
-// How many layers of each axis the inequalities reach beyond one, where that is more than its degree.
+// For each axis, how many layers apart the control points of an inequality are: 2 for convexity, 1 for
+// monotonicity.
 Index shape_reach(const std::vector<KnotVectorPtr> &axes, const ShapeWishes &wishes);
 
-// One coordinate of a spline with the distinct layers of the axes.
+// The shape of one coordinate of a spline, over the distinct layers of the axes.
 class CoordinateShape {
 public:
     CoordinateShape(const std::vector<KnotVectorPtr> &axes, int dim, const ShapeWishes &wishes,
                     int coordinate);
 
     [[nodiscard]] bool empty() const noexcept;
-    // The inequalities for control points, those of convexity with something to spare, without bounds beyond a limit.
+    // The inequalities for control points; those of convexity with a margin, and no bounds of a magnitude
+    // above `limit`.
     [[nodiscard]] std::vector<LinearRow> rows(double margin, double limit) const;
-    // Puts in order what rounding has disturbed of rising, falling and bounds.
+    // Restores rising, falling and bounds where rounding has violated them.
     void settle(std::vector<double> &points) const;
-    // Proven, for these very numbers.
+    // Whether the shape is proven for exactly these numbers.
     [[nodiscard]] bool holds(const std::vector<double> &points) const;
 
 private:
-    // Calls visit(index of the first layer, axis) for each run of `layers` ones along an axis.
+    // Calls visit(index of the first layer) for each run of `layers` consecutive layers along an axis.
     template <class Visit>
     void for_each_run(size_t axis, int64_t layers, Visit &&visit) const;
     void add_row(size_t axis, const Index &first, const std::vector<double> &values, double least,

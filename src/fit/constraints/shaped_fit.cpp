@@ -53,8 +53,9 @@ public:
         }
     }
 
-    // Returns the trace of the influence matrix. Control points are rounded: where that takes them out of the shape there is
-    // a margin for it. Where conditions leave no room for a margin they are what rounding makes of them.
+    // Returns the trace of the influence matrix. Where rounding of the control points violates the shape, the
+    // inequalities get a margin for it. Where the conditions leave no room for a margin, the control points
+    // are what rounding makes of them.
     double impose(int c, Numbers &x) const {
         constexpr double margins[] = {0, 0x1p-51, 0x1p-48, 0x1p-45};
         const CoordinateShape shape(equations_.axes, equations_.dim, wishes_, c);
@@ -81,15 +82,17 @@ public:
 
 private:
     struct Attempt {
-        Numbers x; // as the control points that the spline will have
+        Numbers x; // rounded, as the control points of the spline will be
         double freedom;
         bool holds;
     };
-    // None where there is no room for the margin; without one that is told as Status::contradiction.
+    // Nothing where there is no room for the margin; in the first attempt, which has none,
+    // Status::contradiction is thrown instead.
     std::optional<Attempt> attempt(const CoordinateShape &shape, int c, const Numbers &start, double margin,
                                    bool first) const {
         try {
-            // Bounds that are far away need not be looked at, and would be large beside all that matters.
+            // Bounds far away are left out at first: they need not be looked at unless the solution gets
+            // there, and would be large beside all that matters.
             constexpr double far = 0x1p10;
             const double limit = far * std::max(1.0, largest_of(start));
             Attempt near = solved(shape, c, start, margin, limit);

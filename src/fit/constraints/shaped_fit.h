@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits of a prescribed shape.
+// Fits under shape constraints.
 #pragma once
 
 #include "fit/constraints/conditions.h"
@@ -8,9 +8,9 @@
 
 namespace nrb::fit {
 
-// From the minimum without a shape, that with it, for the same factor of the penalty. `data`: equations without conditions;
-// `equations`: the same with the squares of the conditions, which hold for the result.
-// Throws what Inequalities does.
+// Moves `found` from the minimum without a shape to that with it, for the same factor of the penalty. `data`:
+// the equations without conditions. `equations`: the same with the squares of the conditions, which hold for
+// the result. Throws what Inequalities throws.
 void impose_shape(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix *penalty,
                   double lambda, const std::vector<LinearRow> &conditions, const ShapeWishes &wishes,
                   Smoothed &found);

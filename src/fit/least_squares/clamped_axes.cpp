@@ -23,7 +23,7 @@ KnotVectorPtr clamped(const KnotVectorPtr &axis) {
     return std::make_shared<const KnotVector>(p, std::move(knots));
 }
 
-// With layers that the function of the axis does not reach.
+// Adds the layers of the axis that have no influence on the domain.
 SplinePtr with_inert_layers(const SplinePtr &spline, int k, const KnotVectorPtr &axis) {
     const auto [first, end] = axis->active_layers();
     if (spline->axis(k).knots().size() == axis->knots().size()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits over knots whose ends are not clamped, by way of clamped ones.
+// Fits over knots with unclamped ends, by way of clamped ones.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,12 +8,13 @@
 
 namespace nrb::fit {
 
-// The axes with clamped ends, without control points that have no influence; periodic ones as they are. They have the same
-// splines on the domain, but functions that the data determine: of those of the others some hardly reach the domain.
+// The axes with clamped ends and without control points that have no influence; periodic axes as they are.
+// They have the same splines on the domain, but basis functions that the data determine: of the functions
+// over unclamped knots some hardly reach into the domain.
 std::vector<KnotVectorPtr> clamped_axes(const std::vector<KnotVectorPtr> &axes);
 
-// A spline over clamped_axes(), over the axes themselves. Control points that have no influence are copies of the next ones
-// that have.
+// Converts a spline over clamped_axes() to the axes themselves. Control points without influence are copies
+// of the nearest ones that have some.
 SplinePtr over_axes(SplinePtr spline, const std::vector<KnotVectorPtr> &axes);
 
 } // namespace nrb::fit

@@ -23,7 +23,7 @@ std::vector<Interval> domains_of(const Spline &spline) {
     return domains;
 }
 
-// What was left out for its parameter has no distance.
+// The rules with NaN instead of errors: a datum that is left out because of its parameter has no distance.
 eval::AxisRules missing_as_nan(eval::AxisRules rules) noexcept {
     for (eval::AxisRule &rule : rules) {
         rule.nan = true;

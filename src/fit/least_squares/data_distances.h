@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far data are from a spline.
+// Distances of data from a spline.
 #pragma once
 
 #include "fit/statistics/gather.h"
@@ -10,8 +10,8 @@
 
 namespace nrb::fit {
 
-// Calls visit(index of the first datum, |y - s(t)| of it and those that follow) for one block of data after the other; NaN for
-// data that do not count.
+// Calls visit(index of the first datum, distances |y - s(t)| of it and the data that follow) for one block of
+// data after the other. The distance of data that do not count is NaN.
 void for_each_distance(const Data &data, const eval::AxisRules &given, int weight_exponent,
                        const Spline &spline,
                        const std::function<void(int64_t, std::span<const double>)> &visit);

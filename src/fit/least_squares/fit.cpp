@@ -18,7 +18,7 @@ namespace {
 
 using Axes = std::vector<KnotVectorPtr>;
 
-// None without smoothing, and for a constant, which pays nothing.
+// Nothing without smoothing, and where the penalty vanishes because the spline can only be constant.
 std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wishes, const Index &reach) {
     if (wishes.smoothing == Smoothing::none) {
         return std::nullopt;
@@ -34,8 +34,9 @@ std::optional<StencilMatrix> penalty_for(const Axes &axes, const FitWishes &wish
     return form;
 }
 
-// The minimum of the data alone that has the smallest penalty, from factors of G + lambda P for a small lambda: steps to the
-// former leave what the data do not tell as the first one found it.
+// The minimum of the data term alone that has the smallest penalty, by iterated Tikhonov regularisation with
+// factors of G + lambda P for a small lambda: the steps converge to a minimum of the data term, and leave
+// what the data do not determine as the first solution has it.
 PenalisedSystem::Numbers settled(const NormalEquations &equations, PenalisedSystem &system) {
     constexpr double enough = 0x1p-56;
     constexpr int64_t many = 500;
@@ -69,7 +70,7 @@ SplinePtr spline_of(const NormalEquations &equations, const std::vector<DoubleDo
     return make_result(equations.axes, equations.dim, Form::polynomial, std::move(points));
 }
 
-// What is known after the control points.
+// What can be computed once the control points are known.
 void complete(PenalisedSystem &system, const Conditions &conditions, int dim, Smoothed &found) {
     found.residual = system.relative_residual(found.x);
     if (!conditions.empty()) {
@@ -92,7 +93,7 @@ Smoothed plain(const NormalEquations &equations, const Conditions &conditions) {
 struct Question {
     const FitWishes &wishes;
     const Conditions &conditions;
-    Index reach; // of the shape
+    Index reach; // of the shape constraints
 };
 
 Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, const Question &asked,
@@ -110,7 +111,7 @@ Smoothed solved(const NormalEquations &equations, const StencilMatrix *form, con
     return found;
 }
 
-// Nothing where the equations do not determine it, which solving them may be the first to see.
+// Nothing where the equations do not determine the solution, which may show only while they are solved.
 template <class Solve>
 std::optional<Smoothed> if_determined(Solve &&solve) {
     try {
@@ -123,7 +124,7 @@ std::optional<Smoothed> if_determined(Solve &&solve) {
     }
 }
 
-// A factor for a penalty that decides what the data leave open; 0 for one that costs nothing.
+// A factor so small that the penalty decides only what the data leave open; 0 for a penalty that vanishes.
 double small_factor(const NormalEquations &equations, const StencilMatrix &form) noexcept {
     constexpr double part = 0x1p-20;
     const double trace = equations.matrix.trace().high, size = form.trace().high;
@@ -141,13 +142,14 @@ Smoothed least_penalty(const NormalEquations &equations, const Question &asked, 
     Smoothed found;
     found.decided_by = order;
     found.x = settled(equations, system);
-    found.freedom = std::round(system.freedom().value); // of a projection, as it is without the small penalty
+    found.freedom = std::round(system.freedom().value); // trace of a projection but for the small penalty
     complete(system, asked.conditions, equations.dim, found);
     found.residual = 0;
     return found;
 }
 
-// The penalty of the highest order that decides, if the data do not: that of values always does.
+// If the data do not determine the control points, the penalty of the highest order that does decides; that
+// of values (order 0) always does.
 Smoothed regularised(const NormalEquations &equations, const Question &asked, int64_t lacking) {
     std::optional<Smoothed> found;
     if (lacking < 0) {
@@ -163,9 +165,10 @@ Smoothed regularised(const NormalEquations &equations, const Question &asked, in
     fail(Status::rank, "the data do not determine the control points, whatever is penalised");
 }
 
-// Of a curve the first control point for which no datum is left if each takes the first one in its support that is free: I.
-// Schoenberg and A. Whitney's condition, as far as the numbers of data in the cells tell (those of equal parameters count as
-// different ones). Of other splines only the number of all data is compared. -1: none.
+// For a curve, the first control point that is left without a datum if each control point in turn takes the
+// first free datum in its support. This is the Schoenberg-Whitney condition, as far as the numbers of data in
+// the cells show (data of equal parameters count as different ones). For other splines only the total number
+// of data is compared. -1: none.
 int64_t first_without_datum(const Statistics &statistics, const NormalEquations &equations) {
     const Axes &axes = equations.axes;
     if (axes.size() > 1 || axes[0]->periodic()) {
@@ -189,7 +192,7 @@ int64_t first_without_datum(const Statistics &statistics, const NormalEquations 
     return -1;
 }
 
-// What the data leave open is decided by the smallest penalty, where that is wanted.
+// The smallest penalty decides what the data leave open, where that is wanted.
 Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form, const Question &asked,
                     int64_t lacking) {
     const bool regularise = asked.wishes.regularise;
@@ -206,12 +209,13 @@ Smoothed wanted_fit(const NormalEquations &equations, const StencilMatrix *form,
     }
 }
 
-// Of the minima of the data that have the shape one with a small penalty: the penalty of the change from what was found last,
-// until that is 0, decides without costing the data anything (R. Rockafellar, "Monotone operators and the proximal point
-// algorithm", SIAM J. Control Optim. 14 (1976)).
+// Among the minima of the data term that have the shape, one with a small penalty, by the proximal point
+// method. It penalises the change from the last solution until that change is 0, and so decides without any
+// cost for the data term (R. Rockafellar, "Monotone operators and the proximal point algorithm", SIAM J.
+// Control Optim. 14 (1976)).
 void shape_decided(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix &form,
                    const Question &asked, Smoothed &found) {
-    constexpr double small = 0x1p-20; // beside what factors need
+    constexpr double small = 0x1p-20; // beside the factor that factorisations need
     constexpr double enough = 0x1p-48;
     constexpr int most = 4;
     const double factor = small * small_factor(equations, form);
@@ -227,7 +231,7 @@ void shape_decided(const NormalEquations &data, const NormalEquations &equations
             break;
         }
         const std::vector<DoubleDouble> pull =
-            penalty.product(found.x, equations.dim); // towards what was found
+            penalty.product(found.x, equations.dim); // towards the last solution
         for (size_t i = 0; i < pull.size(); ++i) {
             from.right[i] = equations.right[i] + DoubleDouble(factor) * pull[i];
         }
@@ -235,7 +239,7 @@ void shape_decided(const NormalEquations &data, const NormalEquations &equations
     found.freedom = std::round(found.freedom * equations.dim) / equations.dim; // of projections
 }
 
-// With a penalty where the data alone do not decide.
+// Imposes the shape, with the penalty that decided where the data alone do not decide.
 void shape(const NormalEquations &data, const NormalEquations &equations, const StencilMatrix *form,
            const Question &asked, Smoothed &found) {
     if (found.decided_by < 0) {
@@ -246,7 +250,7 @@ void shape(const NormalEquations &data, const NormalEquations &equations, const 
     shape_decided(data, equations, deciding, asked, found);
 }
 
-// In units of the scales, as equations are.
+// The wishes in units of the scales, which are those of the equations.
 FitWishes scaled(FitWishes wishes, const StatisticsForm &form) {
     wishes.value = std::ldexp(wishes.value, wishes.smoothing == Smoothing::discrepancy
                                                 ? -form.weight_exponent - 2 * form.value_exponent

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splines that are closest to data, in the mean of squares.
+// Least-squares fits of splines to data.
 #pragma once
 
 #include "fit/constraints/conditions.h"
@@ -16,13 +16,13 @@ enum class Robust : int32_t { none, huber, tukey };
 
 struct FitWishes {
     Smoothing smoothing = Smoothing::none;
-    double value = 0;        // lambda or the target of Smoothing
-    int penalty_order = 2;   // derivative that is penalised
-    bool regularise = false; // of all minima take the one of the smallest penalty
+    double value = 0;        // lambda, or the target of Smoothing::discrepancy
+    int penalty_order = 2;   // order of the derivative that is penalised
+    bool regularise = false; // of all minima take that of the smallest penalty
     std::vector<FitCondition> conditions;
     ShapeWishes shape;
-    Robust robust = Robust::none; // of fits of points
-    double width = 0;             // of its function, 0: the usual one
+    Robust robust = Robust::none; // for fits of points only
+    double width = 0;             // of its weight function, 0: the usual one
 };
 
 struct Fitted {
@@ -31,12 +31,13 @@ struct Fitted {
     double lambda;   // of the penalty
     double freedom;  // trace of the influence matrix
     double residual; // of the equations, relative to their right sides
-    bool reached;    // the target
-    bool settled;    // whether a shape that the data leave open is found
+    bool reached;    // whether the target was reached
+    bool settled;    // whether the search for a shape that the data leave open has converged
 };
 
-// The spline over the axes. Throws what normal_equations(), PenalisedSystem, Conditions, check_shape() and impose_shape() do, and
-// Status::order if there is a penalty and no axis has the degree for it.
+// The fitted spline over the axes `wanted`. Throws what normal_equations(), PenalisedSystem, Conditions,
+// check_shape() and impose_shape() throw, and Status::order if there is a penalty and its order is above the
+// degree of every axis.
 Fitted fit(const Statistics &statistics, const std::vector<KnotVectorPtr> &wanted, const FitWishes &given);
 
 } // namespace nrb::fit

@@ -11,7 +11,7 @@ namespace nrb::fit {
 
 namespace {
 
-// From Bernstein coefficients of degree n - 1 to those of degree n.
+// Degree elevation: from Bernstein coefficients of degree n - 1 to those of degree n.
 void elevate(int n, DoubleDouble *coefficients) noexcept {
     coefficients[n] = coefficients[n - 1];
     for (int k = n - 1; k > 0; --k) {
@@ -20,7 +20,7 @@ void elevate(int n, DoubleDouble *coefficients) noexcept {
     }
 }
 
-// A place in a span, from both ends.
+// A place in a span: its distances from both ends, relative to the length of the span.
 struct Place {
     DoubleDouble after, ahead;
 };
@@ -123,7 +123,7 @@ std::vector<DoubleDouble> FitAxis::pair_sums(const std::vector<DoubleDouble> &fu
     return result;
 }
 
-// The transpose of what bernstein::restrict_to() does to coefficients.
+// The transpose of the subdivision that bernstein::restrict_to() applies to coefficients.
 void FitAxis::widen(int64_t cell, int degree, int64_t inner, DoubleDouble *sums) const noexcept {
     const int64_t index = knot_index(span_of(cell));
     const double start = (*knots_)[index], end = (*knots_)[index + 1];

@@ -14,7 +14,8 @@ namespace nrb::fit {
 
 namespace {
 
-// An element of the inverse for each pair of functions that overlap.
+// The quadratic form of the inverse matrix, of which only the elements for pairs of overlapping functions are
+// needed.
 class ErrorForm {
 public:
     ErrorForm(const std::vector<KnotVectorPtr> &axes, const StencilMatrix &numbers,
@@ -22,7 +23,7 @@ public:
         : axes_(axes.size()), numbers_(numbers), system_(system), inverse_(system.inverse()),
           functions_(axes), places_(functions_.size()) {}
 
-    // Of parameters in the domain, each in a span.
+    // The root of the form at parameters t in the domain, t[k] in span spans[k] of axis k.
     [[nodiscard]] double at(const Index &spans, const std::array<double, max_axes> &t) {
         for (size_t k = 0; k < axes_; ++k) {
             functions_.set(k, spans[k], t[k]);
@@ -52,7 +53,7 @@ private:
     const PenalisedSystem &system_;
     SelectedInverse inverse_;
     ActiveFunctions functions_;
-    std::vector<int64_t> places_; // of the functions
+    std::vector<int64_t> places_; // of the functions, in the order of elimination
 };
 
 } // namespace

@@ -24,7 +24,8 @@ std::vector<Interval> domains_of(const std::vector<KnotVectorPtr> &axes) {
     return domains;
 }
 
-// Of the numbers among the values of one record of data that counts, if it is above what is known.
+// The largest magnitude among the finite values of one datum, if it is above what is known and the datum
+// counts.
 double larger_value(const Data &data, const CountedData &counts, int64_t i, double known) noexcept {
     for (int64_t c = 0; c < data.values.width; ++c) {
         const double value = std::abs(data.values(i, c));
@@ -35,7 +36,7 @@ double larger_value(const Data &data, const CountedData &counts, int64_t i, doub
     return known;
 }
 
-// Few blocks of packed values have one that is larger than all before.
+// Looks at single data only in blocks that exceed all before, which few blocks of packed values do.
 double largest_value(const Data &data, const CountedData &counts) noexcept {
     constexpr int64_t block = 256;
     const ConstRecords &values = data.values;
@@ -79,13 +80,13 @@ int exponent_above(double value) noexcept {
 
 namespace {
 
-// The sum of squares, and the largest distance, of data that count.
+// The sum of squares and the largest distance of the data that count.
 struct Comparison {
     CompensatedSum squares;
     double largest = -1;
     int64_t largest_index = -1;
 
-    // In units of the misfit.
+    // Adds distances, in units of the misfit.
     void add(const Data &data, const Misfit &units, int64_t first,
              std::span<const double> distances) noexcept {
         const int of_values = -units.value_exponent, of_weights = -units.weight_exponent;
@@ -108,13 +109,14 @@ struct Comparison {
 
 } // namespace
 
-// The sums of the statistics tell the squares to 2^-60 of what there was.
+// Compares with the data themselves, because the statistics give the remaining squares only to within 2^-60
+// of the squares of the data.
 void compare(const Data &data, const eval::AxisRules &rules, FittedPoints &found) {
     Misfit &misfit = found.fit.misfit;
     Comparison all;
     for_each_distance(data, rules, misfit.weight_exponent, *found.fit.spline,
                       [&](int64_t first, std::span<const double> distances) {
-                          Comparison next = all; // in registers
+                          Comparison next = all; // kept in registers
                           next.add(data, misfit, first, distances);
                           all = next;
                       });

@@ -12,9 +12,9 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr int64_t work_of_a_product = 12; // of two numbers of twice the precision
+constexpr int64_t work_of_a_product = 12; // of two double-double numbers
 
-// sums[outer][from][inner] times table[to][from]: [outer][to][inner].
+// Multiplies sums[outer][from][inner] by table[to][from] into [outer][to][inner].
 std::vector<DoubleDouble> contracted(const std::vector<DoubleDouble> &sums,
                                      const std::vector<DoubleDouble> &table, size_t from, size_t inner) {
     const size_t to = table.size() / from, outer = sums.size() / (from * inner);
@@ -51,7 +51,7 @@ public:
     }
 
     NormalEquations equations() {
-        std::vector<std::pair<int64_t, int64_t>> cells; // by spans
+        std::vector<std::pair<int64_t, int64_t>> cells; // span and number of each cell, sorted
         for (int64_t i = 0; i < std::ssize(statistics_.cells()); ++i) {
             cells.emplace_back(span_of(statistics_.cells()[static_cast<size_t>(i)]), i);
         }
@@ -90,7 +90,7 @@ private:
         return span;
     }
 
-    // The sums of a cell, as those of the functions of its span.
+    // Adds the sums of a cell, turned into those of the Bernstein polynomials on its span.
     void add_cell(int64_t i) {
         const std::span<const ExactSum> sums = statistics_.sums(i);
         constexpr int of_functions = -function_bits - value_bits, of_values = -value_bits - value_bits;
@@ -113,7 +113,7 @@ private:
         weight_ = weight_ + weight;
         made_.weight = made_.weight + weight;
     }
-    // Of functions of `times` the degree, with `inner` sums each.
+    // The same for sums of polynomials of `times` the degree, with `inner` sums each.
     void add_widened(const Index &cell, int times, int64_t inner, std::vector<DoubleDouble> sums,
                      std::vector<DoubleDouble> &total) const {
         for (size_t k = axes_.size(); k-- > 0;) {
@@ -144,7 +144,7 @@ private:
         add_right(first, tables);
         add_pairs(first, tables);
     }
-    // Kept, because the spans of an axis come again; those of a curve do not.
+    // The tables are kept, because the spans of an axis recur; those of a curve do not.
     const SpanTables &tables_of(size_t k, int64_t span) {
         auto &kept = tables_[k];
         if (axes_.size() == 1) {
@@ -205,7 +205,7 @@ private:
         }
         return sums;
     }
-    // The place of a product: on each axis that of the pair, in either order.
+    // The place of the product of functions a and b: on each axis that of the pair, in either order.
     [[nodiscard]] size_t pair(const Index &first, const Index &a, const Index &b) const noexcept {
         int64_t place = 0;
         for (size_t k = 0; k < axes_.size(); ++k) {
@@ -222,7 +222,7 @@ private:
     NormalEquations made_;
     std::vector<FitAxis> axes_;
     std::array<std::map<int64_t, SpanTables>, max_axes> tables_;
-    // Of the span that is put together.
+    // Sums of the span that is being assembled.
     std::vector<DoubleDouble> moments_, right_;
     DoubleDouble weight_;
 };

@@ -9,8 +9,9 @@
 
 namespace nrb::fit {
 
-// min sum_i w_i |y_i - s(t_i)|^2 over the control points x of s: matrix x = right, with twice the precision. Values and weights
-// are in units of their scales, so that nothing overflows.
+// The normal equations matrix x = right of the minimum of sum_i w_i |y_i - s(t_i)|^2 over the control points
+// x of s, in double-double precision. Values and weights are in units of their scales, so that nothing
+// overflows.
 struct NormalEquations {
     std::vector<KnotVectorPtr> axes;
     StencilMatrix matrix;
@@ -22,8 +23,8 @@ struct NormalEquations {
     int dim;
 };
 
-// Throws what FitAxis does. The matrix is off by `support` times 2^-61 for each axis and degree, at most, and the rest by as
-// much.
+// Throws what FitAxis throws. The error of the matrix is at most `support` times 2^-61 for each axis and
+// degree, and that of the other sums likewise.
 NormalEquations normal_equations(const Statistics &statistics, const std::vector<KnotVectorPtr> &axes,
                                  const Index &least_reach = {});
 

@@ -13,10 +13,12 @@ namespace nrb::fit {
 
 namespace {
 
-// Pivots relative to the diagonal below which factors in double precision are not tried, and below which nothing is known of
-// those with twice the precision; and how exact the sums of functions are (normal_equations.h).
-// Factors that take more multiply-adds are not made with twice the precision, which takes 20 times as long.
+// Factorisations of more multiply-adds than this are not repeated in double-double precision, which takes 20
+// times as long.
 constexpr double most_precise_work = 1e7;
+// Pivots relative to the diagonal: below the first value factors in double precision are rejected, below the
+// second nothing is known of double-double ones. The third value is the accuracy of the sums
+// (normal_equations.h).
 constexpr double least_pivot = 0x1p-36, least_precise_pivot = 0x1p-92, noise_of_sums = 0x1p-56;
 
 std::vector<double> diagonal_of(const ColumnsOf<DoubleDouble> &columns) {
@@ -65,7 +67,7 @@ std::vector<DoubleDouble> residual_of(const ColumnsOf<DoubleDouble> &matrix,
     return y;
 }
 
-// Row order[i] of x[unknowns][width] becomes row i.
+// Row i of the result is row order[i] of x[unknowns][width].
 std::vector<DoubleDouble> permuted(const std::vector<DoubleDouble> &x, const std::vector<int64_t> &order,
                                    int64_t width) {
     std::vector<DoubleDouble> result;
@@ -135,8 +137,9 @@ int64_t PenalisedSystem::try_factorise_surely(double lambda) {
     return in_double_ ? unsure_pivot(*factors_) : unsure_pivot(*precise_);
 }
 
-// A pivot is v A v with v = L^-T e_k, 1 at k and 0 behind it: an error of the sums is multiplied by the product of two elements
-// of v. Only pivots that are small beside their diagonal can be lost in that.
+// Pivot k is v^T A v with v = L^-T e_k, whose element k is 1 and whose later elements are 0. An error of an
+// element of A therefore enters the pivot multiplied by the product of two elements of v. Only pivots that
+// are small relative to their diagonal element can be lost in such errors.
 template <class Number>
 int64_t PenalisedSystem::unsure_pivot(const LdltOf<Number> &factors) const {
     constexpr double suspicious = 0x1p-16, noise = 0x1p-58;
@@ -218,7 +221,7 @@ PenalisedSystem::Numbers PenalisedSystem::restored(const Numbers &x, int64_t wid
     return permuted(x, place_, width);
 }
 
-// The residual becomes what the factors make of it.
+// Replaces the residual by the correction that the factors give for it.
 void PenalisedSystem::correct(Numbers &residual, int64_t width) const {
     if (!in_double_) {
         return precise_->solve(residual.data(), width);
@@ -232,8 +235,8 @@ void PenalisedSystem::correct(Numbers &residual, int64_t width) const {
     std::copy(x.begin(), x.end(), residual.begin());
 }
 
-// Until a correction is below 2^-64 of the solution, or no smaller than half of the one before it; true if that is below
-// 2^-50.
+// Iterative refinement, until a correction is below 2^-64 of the solution, or not less than half of the one
+// before it. Returns whether the last correction is below 2^-50.
 bool PenalisedSystem::refine(const Numbers &right, int64_t width, Numbers &x) const {
     constexpr double enough = 0x1p-64, least = 0x1p-50;
     constexpr int most = 40;
@@ -297,7 +300,8 @@ PenalisedSystem::Numbers PenalisedSystem::missing(const Numbers &x) const {
     return restored(residual_of(data_, ordered(equations_.right, dim), ordered(x, dim), dim), dim);
 }
 
-// s - x r - x (r - G x), of which little may be left.
+// s - x^T r - x^T (r - G x) with the sum s of the squares of the data; the terms may cancel almost
+// completely.
 double PenalisedSystem::remaining_squares(const Numbers &x) const {
     const Numbers rest = missing(x);
     DoubleDouble sum;

@@ -11,7 +11,8 @@ namespace nrb::fit {
 
 namespace {
 
-// Integrals of products of derivatives of the functions of an axis: those of functions i and i + d at [i][d].
+// The integrals of products of derivatives of the basis functions of an axis; those of functions i and i + d
+// are at [i][d].
 class AxisForm {
 public:
     AxisForm(const KnotVector &axis, int order)
@@ -62,7 +63,8 @@ private:
             }
         }
     }
-    // Of Bernstein functions of degree m over an interval of length 1, [m + 1][m + 1].
+    // The integrals of products of Bernstein polynomials of degree m over an interval of length 1,
+    // [m + 1][m + 1].
     static std::vector<DoubleDouble> products(int m) {
         std::vector<DoubleDouble> result = precise_product_factors(m);
         for (DoubleDouble &value : result) {
@@ -98,7 +100,8 @@ public:
     }
 
 private:
-    // The product of masses so far, and the sum of products in which one factor is of derivatives.
+    // The product of the masses (integrals of products of functions) of the axes so far, and the sum of those
+    // products in which one factor is an integral of derivatives instead.
     struct Factors {
         DoubleDouble mass = 1;
         DoubleDouble bend = 0;

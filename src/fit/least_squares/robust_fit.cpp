@@ -16,10 +16,11 @@ namespace {
 constexpr double huber_width = 1.345, tukey_width = 4.685; // 95 % of the efficiency of least squares
 constexpr int most_rounds = 50;
 constexpr double farthest =
-    0x1p30; // x of data that are left out: beside their values others would be rounded
+    0x1p30; // x from which data are left out: beside their values others would be rounded
 
-// Of the length of a vector of normal numbers, whose square has the chi-squared distribution (its median from four numbers on:
-// E. Wilson, M. Hilferty, Proc. Nat. Acad. Sci. 17 (1931)).
+// The median length of a vector of `dim` standard normal numbers. Its square has the chi-squared
+// distribution; from four numbers on, the median of that is approximated (E. Wilson, M. Hilferty, Proc. Nat.
+// Acad. Sci. 17 (1931)).
 double median_length(int64_t dim) noexcept {
     constexpr double exact[] = {0.67448975019608171, 1.1774100225154747, 1.5381722544550526};
     if (dim <= 3) {
@@ -65,7 +66,7 @@ public:
     }
 
 private:
-    // Huber's fit stays where only outliers determine a control point.
+    // Tukey's rounds. Huber's fit stays where only outliers determine a control point.
     bool redescend(int &rounds) {
         const FittedPoints huber = found_;
         try {
@@ -87,7 +88,7 @@ private:
         double scale = 0;
         for (int i = 0; i < most_rounds; ++i, steps.next()) {
             measure();
-            scale = rule == Robust::tukey && i > 0 ? scale : found_.scale; // one for all, so that it descends
+            scale = rule == Robust::tukey && i > 0 ? scale : found_.scale; // fixed, so that the sum descends
             if (!(reweigh(rule, width * scale) > enough)) {
                 return true;
             }
@@ -97,14 +98,16 @@ private:
         return false;
     }
 
-    // Of the unit of residuals, so that they do not overflow with their weights; 0 where values are within half of the exponents.
+    // The exponent of the unit of residuals, chosen so that they do not overflow when multiplied by weights;
+    // 0 where values are within half of the exponent range.
     [[nodiscard]] int exponent() const noexcept {
         constexpr int half = 400;
         const int own = given_.value_exponent;
         return own > half ? own - half : std::min(own + half, 0);
     }
 
-    // Residuals sqrt(w) |y - s(t)|, and their scale: at least what rounding leaves of the better half of the values.
+    // Measures the residuals sqrt(w) |y - s(t)| and their scale, which is at least the rounding error of the
+    // better half of the values.
     void measure() {
         constexpr double rounding = 0x1p-44;
         std::vector<double> counted;
@@ -126,13 +129,13 @@ private:
             std::ranges::nth_element(counted, middle);
             const double n = static_cast<double>(counted.size());
             const double lost =
-                n / std::max(1.0, n - found_.fit.freedom); // residuals are smaller than errors
+                n / std::max(1.0, n - found_.fit.freedom); // a fit makes residuals smaller than errors
             found_.scale = std::max(*middle / median_length(data_.values.width) * std::sqrt(lost),
                                     rounding * largest_value(*middle));
         }
     }
 
-    // Of the data with residuals up to a limit.
+    // The largest weighted magnitude among the data with residuals up to a limit.
     [[nodiscard]] double largest_value(double limit) const noexcept {
         double largest = 0;
         for (int64_t i = 0; i < std::ssize(residuals_); ++i) {
@@ -145,7 +148,7 @@ private:
         return largest;
     }
 
-    // Returns the largest change of a factor, of Huber's beside the factor, which may tend to 0.
+    // Returns the largest change of a factor; for Huber's rule relative to the factor, which may tend to 0.
     double reweigh(Robust rule, double width) {
         const double unit = width * std::sqrt(static_cast<double>(data_.values.width));
         double change = 0;
@@ -177,10 +180,10 @@ private:
     FitWishes wishes_;
     std::vector<double> weights_, factors_, residuals_;
     FittedPoints found_{};
-    Misfit given_; // of the data with the weights that they came with
+    Misfit given_; // of the data with the weights that were given
 };
 
-// With weights in units of an even power of two.
+// The fit with weights in units of 2^exponent; the exponent is even.
 FittedPoints in_weights_of(int exponent, const Data &data, const eval::AxisRules &rules,
                            const std::vector<KnotVectorPtr> &axes, FitWishes wishes) {
     std::vector<double> weights;
@@ -201,7 +204,7 @@ FittedPoints in_weights_of(int exponent, const Data &data, const eval::AxisRules
 
 FittedPoints robust_fit(const Data &data, const eval::AxisRules &rules,
                         const std::vector<KnotVectorPtr> &axes, const FitWishes &wishes) {
-    constexpr int least = -900; // of weights that factors leave their digits
+    constexpr int least = -900; // of weights that keep their digits when multiplied by factors
     const int exponent = exponent_above(largest_weight(data));
     return exponent > least ? RobustFit(data, rules, axes, wishes).fit()
                             : in_weights_of(exponent + (exponent & 1), data, rules, axes, wishes);

@@ -13,9 +13,11 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr double lowest = -10; // exponent of the smallest lambda
+constexpr double lowest = -10; // decimal exponent of the smallest lambda, in units of tr G / tr P
 
-// How many unknowns no penalty determines: on each axis those of the polynomials below its order, of a periodic one constants.
+// The number of unknowns that the penalty does not determine, the dimension of its null space: on each axis
+// that of the polynomials below its order, on a periodic axis that of constants, and all if the order is
+// above the degree.
 double free_unknowns(const std::vector<KnotVectorPtr> &axes, int order) noexcept {
     double free = 1;
     for (const KnotVectorPtr &axis : axes) {
@@ -32,7 +34,7 @@ LambdaSearch::LambdaSearch(const NormalEquations &equations, const StencilMatrix
                            PenalisedSystem &system)
     : equations_(equations), system_(system), free_unknowns_(free_unknowns(equations.axes, penalty_order)),
       scale_(equations.matrix.trace().high / penalty.trace().high), widest_(6) {
-    // The smoothest functions that pay anything pay about 1, the others up to the trace.
+    // The smoothest functions with a penalty have one of about 1, the others up to the trace.
     const double unknowns = static_cast<double>(equations.matrix.size());
     widest_ += std::max(0.0, std::log10(penalty.trace().high / unknowns));
 }
@@ -77,7 +79,7 @@ double LambdaSearch::gcv(double squares) const {
 
 double LambdaSearch::reml(const PenalisedSystem::Numbers &x, double lambda, double log_squares,
                           double log_weights) const {
-    DoubleDouble paid; // with what is paid for derivatives: s - x r
+    DoubleDouble paid; // R + lambda P: s - x^T r
     for (const DoubleDouble &square : equations_.squares) {
         paid = paid + square;
     }
@@ -105,7 +107,7 @@ Criteria LambdaSearch::criteria(double lambda, int weight_exponent, int square_e
                  weight_exponent * std::numbers::ln2)};
 }
 
-// The best of a coarse grid, then golden sections beside it.
+// The best of a coarse grid, then golden section search beside it.
 Smoothed LambdaSearch::smallest(Smoothing rule) {
     constexpr int sections = 12;
     const int steps = static_cast<int>(std::ceil(widest_ - lowest));
@@ -125,7 +127,7 @@ Smoothed LambdaSearch::smallest(Smoothing rule) {
     return at(lambda_of(golden_section(best - 1, best + 1, sections, value_at)));
 }
 
-// The squares that are left grow with lambda.
+// Bisection: the squares that are left grow with lambda.
 Smoothed LambdaSearch::within(double target) {
     constexpr int halvings = 40;
     constexpr double close = 1e-9;

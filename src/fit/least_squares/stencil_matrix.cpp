@@ -58,7 +58,7 @@ struct Elements {
     std::vector<Element> all;
 };
 
-// Those of all columns, mirrored ones too, for unknowns that are numbered anew.
+// The elements of all columns, mirrored ones included, for unknowns that are renumbered.
 Elements by_columns(const StencilPattern &pattern, const std::vector<int32_t> &number) {
     const auto for_each = [&](auto &&visit) { // calls visit(column, row, place)
         count_work(16 * pattern.elements());
@@ -96,7 +96,7 @@ ColumnsOf<DoubleDouble> StencilMatrix::columns(const std::vector<int64_t> &order
         const std::span column =
             std::span(elements.all).subspan(elements.starts[j], elements.starts[j + 1] - elements.starts[j]);
         std::sort(column.begin(), column.end());
-        for (size_t e = 0; e < column.size(); ++e) { // a short periodic axis has some twice
+        for (size_t e = 0; e < column.size(); ++e) { // on a short periodic axis some occur twice
             const DoubleDouble &value = values_[static_cast<size_t>(column[e].place)];
             if (e > 0 && column[e].row == column[e - 1].row) {
                 result.values.back() = result.values.back() + value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Symmetric matrices over the control points of a spline, which couple those whose functions overlap.
+// Symmetric matrices over the control points of a spline, which couple those whose basis functions overlap.
 #pragma once
 
 #include "fit/least_squares/stencil_pattern.h"
@@ -16,16 +16,17 @@ public:
     [[nodiscard]] int axes() const noexcept { return pattern_.axes(); }
     [[nodiscard]] int64_t size() const noexcept { return pattern_.size(); }
     [[nodiscard]] int64_t unknown(const Index &layer) const noexcept { return pattern_.unknown(layer); }
-    // Adds to the element of two control points, and to its mirror image; `second` is not before `first`.
+    // Adds to the element of two control points and to its mirror image; `second` is not before `first` in
+    // lexicographic order.
     void add(const Index &first, const Index &second, const DoubleDouble &value) noexcept;
-    // factor times a matrix of the same pattern.
+    // Adds factor times a matrix of the same pattern.
     void add_multiple(double factor, const StencilMatrix &other) noexcept;
     [[nodiscard]] DoubleDouble trace() const noexcept;
-    // Of the diagonal; 1 where that is 0.
+    // The mean of the diagonal; 1 where that is 0.
     [[nodiscard]] DoubleDouble mean() const noexcept;
 
     [[nodiscard]] std::vector<int64_t> elimination_order() const { return pattern_.elimination_order(); }
-    // By columns in that order; with all elements that overlapping functions can have, 0 or not.
+    // The columns in that order, with all elements that overlapping functions can have, whether 0 or not.
     [[nodiscard]] ColumnsOf<DoubleDouble> columns(const std::vector<int64_t> &order) const;
 
 private:

@@ -16,7 +16,7 @@ StencilPattern::StencilPattern(const std::vector<KnotVectorPtr> &axes, const Ind
         periodic_[k] = axes[k]->periodic();
         all *= 2 * reach_[k] + 1;
     }
-    offsets_ = all / 2 + 1; // from no offset on
+    offsets_ = all / 2 + 1; // offset 0 and those after it
 }
 
 int64_t StencilPattern::unknown(const Index &layer) const noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which control points of a spline a symmetric matrix couples, and where it keeps what belongs to two of them.
+// The sparsity pattern of a symmetric matrix over the control points of a spline.
 #pragma once
 
 #include "base/limits.h"
@@ -13,7 +13,7 @@ namespace nrb::fit {
 
 using Index = std::array<int64_t, max_axes>;
 
-// Calls visit(index) for those from `first` on, counts[k] along each axis, last axis fastest.
+// Calls visit(index) for the indices from `first` on, counts[k] of them along axis k, last axis fastest.
 template <class Visit>
 void for_each_index(const Index &first, const Index &counts, Visit &&visit) {
     for (int64_t i = 0; i < counts[0]; ++i) {
@@ -25,41 +25,44 @@ void for_each_index(const Index &first, const Index &counts, Visit &&visit) {
     }
 }
 
-// Unknowns are the distinct layers of control points on each axis, last axis fastest. An element is kept at the first of its
-// two functions and the offset to the second one, counted in layers before these are wrapped; half of the offsets will do.
+// Unknowns are the distinct layers of control points on each axis, last axis fastest. An element is stored
+// with the first of its two functions, at the offset to the second one, which is counted in layers before
+// wrapping. By symmetry half of the offsets are enough.
 class StencilPattern {
 public:
-    // An element for each pair of layers that are not farther apart than the degree, or than `least_reach`.
+    // Has an element for each pair of layers that are no farther apart than the degree of their axis, or than
+    // `least_reach` if that is more.
     explicit StencilPattern(const std::vector<KnotVectorPtr> &axes, const Index &least_reach = {});
 
     [[nodiscard]] int axes() const noexcept { return axes_; }
     [[nodiscard]] int64_t size() const noexcept { return counts_[0] * counts_[1] * counts_[2]; }
     [[nodiscard]] int64_t elements() const noexcept { return size() * offsets_; }
-    // The number of the unknown that a control point is, or is a copy of.
+    // The number of the unknown that a control point is, or is a periodic copy of.
     [[nodiscard]] int64_t unknown(const Index &layer) const noexcept;
-    // Where elements of an unknown begin, the first of which is its own, and how far on that of a pair is; `second` is not
-    // before `first`.
+    // start(): where the elements of an unknown begin, with its diagonal element. step(): how far after that
+    // the element of a pair is stored; `second` is not before `first`.
     [[nodiscard]] int64_t start(int64_t unknown) const noexcept { return unknown * offsets_; }
     [[nodiscard]] int64_t step(const Index &first, const Index &second) const noexcept;
-    // Calls visit(first unknown, second unknown, place) for all elements that are kept. Of short periodic axes a pair may have
-    // several, and so may an unknown with itself, which then are their own mirror images as well.
+    // Calls visit(first unknown, second unknown, place) for all stored elements. On short periodic axes a
+    // pair may have several elements. So may an unknown with itself; all of these but the first then stand
+    // for their mirror images as well.
     template <class Visit>
     void for_each_element(Visit &&visit) const;
 
-    // In which order to eliminate the unknowns.
+    // A fill-reducing order in which to eliminate the unknowns.
     [[nodiscard]] std::vector<int64_t> elimination_order() const;
 
 private:
-    // The unknown at an offset; -1 outside.
+    // The unknown at an offset from `own`; -1 outside the grid.
     [[nodiscard]] int64_t neighbour(const Index &own, const Index &offset) const noexcept;
-    // In the order of their places in a full stencil.
+    // To the next offset, in the order of places in a full stencil.
     void advance(Index &offset) const noexcept;
 
     int axes_;
     Index counts_{1, 1, 1};
     Index reach_{};
     std::array<bool, max_axes> periodic_{};
-    int64_t offsets_; // of an unknown
+    int64_t offsets_; // for each unknown
 };
 
 template <class Visit>

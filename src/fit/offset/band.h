@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of a surface that needs no arithmetic.
+// A part of a surface, cut out without arithmetic.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,8 +8,9 @@
 
 namespace nrb::fit {
 
-// The control points that are active between the first and the last of rising parameters of the first axis, with their knots: the same
-// surface there to the bit, over a domain that holds these parameters. Cost: linear in its size, whatever that of the surface is.
+// The control points that are active between the first and the last of rising parameters of the first axis,
+// with their knots: bit for bit the same surface there, over a domain that contains these parameters. Cost:
+// linear in the size of the part, whatever the size of the surface.
 SplinePtr band_of(const Spline &surface, const std::vector<double> &params);
 
 } // namespace nrb::fit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and vectors of which bounds are known, and their arithmetic.
+// Interval arithmetic for numbers and vectors.
 #pragma once
 
 #include "base/numbers.h"
@@ -12,7 +12,7 @@
 
 namespace nrb::fit::boxes {
 
-// All numbers between two, after the rounding of what was done to them.
+// An interval that contains the exact result of operations despite their rounding.
 struct Bounds {
     double lower, upper;
 
@@ -34,7 +34,7 @@ inline Bounds operator*(Bounds a, Bounds b) noexcept {
         std::minmax({a.lower * b.lower, a.lower * b.upper, a.upper * b.lower, a.upper * b.upper});
     return widened(least, most);
 }
-// By numbers above 0.
+// Precondition: all numbers of b are above 0.
 inline Bounds operator/(Bounds a, Bounds b) noexcept {
     return a * widened(1 / b.upper, 1 / b.lower);
 }
@@ -61,7 +61,7 @@ inline Vector3 middle_of(const Box &a) noexcept {
     return {a[0].lower / 2 + a[0].upper / 2, a[1].lower / 2 + a[1].upper / 2,
             a[2].lower / 2 + a[2].upper / 2};
 }
-// At most the largest length.
+// An upper bound of the lengths.
 inline double most_length(const Box &a) noexcept {
     double most = 0;
     for (const Bounds &x : a) {
@@ -70,8 +70,10 @@ inline double most_length(const Box &a) noexcept {
     return most * (1 + 8 * eps);
 }
 
-// a / |a|, where all of the box is on one side of a plane; nothing otherwise. With the direction m of its middle and the largest angle t
-// from that, |a / |a| - m| <= tan t = |a x m| / (a m): however long they are, the directions may be nearly the same.
+// a / |a|, if the box lies on one side of a plane through 0; nothing otherwise. Let m be the direction of the
+// middle of the box, and t the largest angle between m and a vector a of the box. Then
+//     |a / |a| - m| <= tan t = |a x m| / (a.m)
+// Vectors of very different lengths may have nearly the same direction.
 inline std::optional<Box> unit_of(const Box &a) {
     const Vector3 middle = middle_of(a);
     const double l = length(middle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bezier pieces of curves and surfaces about one centre.
+// Bezier pieces of curves and surfaces in homogeneous coordinates about a common centre.
 #pragma once
 
 #include "pieces/bernstein_net.h"
@@ -12,8 +12,8 @@ namespace nrb::fit {
 
 using pieces::HomogeneousPiece;
 
-// Those of a curve or a surface between breaks, which hold all knots between the first and the last of them; c is the same for all, in
-// the units of the spline.
+// The pieces of a curve or a surface between breaks, which include all knots between the first and the last
+// of them. The centre c is the same for all pieces; the unit of length is that of the spline.
 class HomogeneousPieces {
 public:
     HomogeneousPieces(const Spline &spline, const pieces::BernsteinNet::Breaks &breaks)

@@ -19,13 +19,13 @@ namespace {
 constexpr int curve_order = taylor_order + 1;
 constexpr int64_t curve_slots = curve_order + 1;
 
-// The offset at a parameter, along the first axis of its Taylor polynomial.
+// The offset at a parameter, as a Taylor polynomial along the first of its two axes.
 struct CurveJet {
     TaylorVector offset;
     bool turns_back; // against the curve
 };
 
-// Of the derivative of an order.
+// The Taylor polynomial of the derivative of an order.
 TaylorVector taylor_of(const double *records, int order) noexcept {
     constexpr double factorials[Taylor::count] = {1, 1, 2};
     TaylorVector made;
@@ -36,7 +36,7 @@ TaylorVector taylor_of(const double *records, int order) noexcept {
     return made;
 }
 
-// Along n = V x C'.
+// The offset along n = V x C'.
 CurveJet jet_of(const double *records, const CurveOffset &offset, double param) {
     TaylorVector reference;
     reference.set(0, 0, offset.reference);
@@ -51,7 +51,7 @@ CurveJet jet_of(const double *records, const CurveOffset &offset, double param) 
     return {made, !(dot(made.at(1, 0), way) > 0)};
 }
 
-// left: the limits from below.
+// `left`: limits from below.
 std::vector<CurveJet> jets_at(const Spline &curve, const CurveOffset &offset,
                               const std::vector<double> &params, bool left) {
     const int64_t count = std::ssize(params);
@@ -81,11 +81,11 @@ bool any_turns_back(const std::vector<CurveJet> &jets) noexcept {
     return std::any_of(jets.begin(), jets.end(), [](const CurveJet &jet) { return jet.turns_back; });
 }
 
-// The offsets at the ends of all pieces.
+// The offsets at the ends of all pieces, from both sides.
 struct PieceEnds {
     std::vector<CurveJet> from_below, from_above;
 
-    // The largest distance of the ends of neighbours.
+    // The largest gap between the ends of neighbouring pieces.
     [[nodiscard]] double jump() const noexcept {
         double largest = 0;
         for (size_t i = 1; i + 1 < from_below.size(); ++i) {
@@ -133,7 +133,7 @@ public:
     }
 
 private:
-    // As a multiple of that of a cubic polynomial piece.
+    // The cost of a piece, as a multiple of that of a cubic polynomial one.
     static int64_t cost_of(const Spline &curve) noexcept {
         const double cost = (curve.axis(0).degree() + 1) / 4.0;
         return std::max<int64_t>(1, std::llround((curve.rational() ? 2 : 1) * cost * cost));
@@ -162,7 +162,8 @@ private:
                          any_turns_back(jets_at(curve_, offset_, middles(axis_.breaks), false))};
         }
     }
-    // As much as is needed, or as is left: towards a larger tolerance where there are too few pieces. Whether any came in.
+    // Cuts pieces as much as needed. If that makes too many pieces, it cuts as much as is affordable, towards
+    // a larger tolerance. Returns whether any were cut.
     bool refine() {
         for (int doublings = 0;; ++doublings) {
             const double wanted = std::ldexp(rule_.tolerance, doublings);
@@ -186,7 +187,7 @@ private:
     OffsetRule rule_;
     int64_t cost_;
     PatchAxis axis_;
-    std::vector<double> bounds_; // of its pieces
+    std::vector<double> bounds_; // of the pieces of axis_
     OffsetCurve best_{nullptr, infinity, false};
 };
 

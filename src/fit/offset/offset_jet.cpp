@@ -8,18 +8,18 @@ namespace nrb::fit {
 
 namespace {
 
-// S_u and S_v are wanted up to their second derivatives along both axes.
+// S_u and S_v are needed up to their second derivatives along both axes.
 constexpr int order = 2 * taylor_order + 1;
 constexpr int64_t slots = (order + 1) * (order + 2) / 2;
 
-// d^(i + j) S / du^i dv^j stands at (i + j)(i + j + 1) / 2 + j.
+// d^(i + j) S / du^i dv^j is record number (i + j)(i + j + 1) / 2 + j.
 Vector3 derivative(const double *records, size_t i, size_t j) noexcept {
     const size_t total = i + j;
     const double *x = records + (total * (total + 1) / 2 + j) * space_dim;
     return {x[0], x[1], x[2]};
 }
 
-// Of the derivative of S of order `first` along u and `second` along v.
+// The Taylor polynomial of the derivative of S of order `first` along u and `second` along v.
 TaylorVector taylor_of(const double *records, size_t first, size_t second) noexcept {
     constexpr double factorials[Taylor::count] = {1, 1, 2};
     TaylorVector made;

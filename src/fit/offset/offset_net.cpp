@@ -9,7 +9,7 @@ namespace nrb::fit {
 
 namespace {
 
-// Row by row, so that no more than one row of jets is there at a time.
+// Builds the net row by row, so that the jets of all rows need not be stored at a time.
 class NetRows {
 public:
     NetRows(const Spline &surface, double distance, const PatchAxes &axes)
@@ -48,7 +48,7 @@ private:
         }
         last_ = site.at;
     }
-    // At the sites on one side of their breaks.
+    // Reads the jets at those sites that are on one side of their breaks.
     void read_side(double u, bool left_u, bool left_v) {
         std::array<std::vector<double>, 2> params{{{u}, {}}};
         std::vector<size_t> places;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Control points of splines that have the Taylor polynomials of an offset where their pieces end.
+// Control points of Hermite splines, which have the Taylor polynomials of an offset at the ends of their
+// pieces.
 #pragma once
 
 #include "fit/offset/patch_axis.h"
@@ -13,10 +14,10 @@ using PatchAxes = std::array<PatchAxis, 2>;
 
 struct OffsetCandidate {
     SplinePtr spline;
-    double jump; // the largest distance of two corners of neighbours that are one
+    double jump; // largest gap between coinciding corners of neighbouring patches
 };
 
-// Of a surface. Throws what offset_jets() does.
+// The candidate for the offset of a surface. Throws what offset_jets() throws.
 OffsetCandidate offset_candidate(const Spline &surface, double distance, const PatchAxes &axes);
 
 } // namespace nrb::fit

@@ -13,8 +13,8 @@ namespace nrb::fit {
 
 namespace {
 
-constexpr int axis_u = 1, axis_v = 2; // of the three
-// What the few roundings of plain numbers below may amount to.
+constexpr int axis_u = 1, axis_v = 2; // of the three axes of a piece
+// Covers the few roundings of plain numbers below.
 constexpr double rounded_up = 1 + 64 * eps;
 
 struct Range {
@@ -22,7 +22,7 @@ struct Range {
     [[nodiscard]] double magnitude() const noexcept { return std::max(-lower, upper); }
 };
 
-// Where something overflows nothing is known.
+// The range of the coefficients, errors included. Where something overflows, nothing is known.
 Range range_of(const RoundedPolynomial &a) noexcept {
     Range range;
     for (size_t i = 0; i < a.values.size(); ++i) {
@@ -35,7 +35,7 @@ Range range_of(const RoundedPolynomial &a) noexcept {
     return range;
 }
 
-// w^2 times the derivative by the place on an axis.
+// w^2 times the derivative with respect to the place on an axis.
 RoundedPolynomial tangent(const HomogeneousPiece &s, int axis, bool weighted) {
     const RoundedPolynomial along = derivative(s.points, axis);
     return weighted ? coarse_times(along, s.weight) - coarse_times(s.points, derivative(s.weight, axis))
@@ -54,13 +54,14 @@ Vector3 sum_of(const RoundedPolynomial &a) noexcept {
     return sum;
 }
 
-// Of length 1, or 0.
+// The vector of length 1 in the direction of a; 0 for 0.
 Vector3 direction_of(const Vector3 &a) noexcept {
     const double l = length(a);
     return l > 0 ? (1 / l) * a : a;
 }
 
-// At most the largest length of a vector polynomial, which is a mean of its coefficients.
+// An upper bound of the length of a vector polynomial, whose values are convex combinations of its
+// coefficients.
 double most_length(const RoundedPolynomial &a) noexcept {
     double most = 0, error = 0;
     for (size_t i = 0; 3 * i < a.values.size(); ++i) {
@@ -70,7 +71,7 @@ double most_length(const RoundedPolynomial &a) noexcept {
     return rounded_up * (most + 2 * error);
 }
 
-// A vector times a polynomial: two products and a sum for each value.
+// The vector product with a polynomial; the error bounds cover two products and a sum for each value.
 RoundedPolynomial cross(const Vector3 &a, RoundedPolynomial b) {
     const double size = largest(a);
     for (size_t i = 0; 3 * i < b.values.size(); ++i) {
@@ -85,13 +86,14 @@ RoundedPolynomial cross(const Vector3 &a, RoundedPolynomial b) {
     return b;
 }
 
-// At most the smallest |p x q|: its part along a direction m near all of them, which is (m x p) q.
+// A lower bound of |p x q|: of its component along a direction m near all of its values, which is (m x p).q.
 double least_area(const RoundedPolynomial &p, const RoundedPolynomial &q) {
     const Vector3 m = direction_of(cross(sum_of(p), sum_of(q)));
     return range_of(coarse_dot(cross(m, p), q)).lower / rounded_up;
 }
 
-// At most the smallest length of a vector polynomial: its part along one direction, a unit vector to rounding.
+// A lower bound of the length of a vector polynomial: of its component along a direction, a unit vector up to
+// rounding.
 double least_length(const RoundedPolynomial &a, const Vector3 &direction) {
     const RoundedPolynomial along = scaled(component(a, 0), direction.x) +
                                     scaled(component(a, 1), direction.y) +
@@ -99,7 +101,7 @@ double least_length(const RoundedPolynomial &a, const Vector3 &direction) {
     return range_of(along).lower / rounded_up;
 }
 
-// The piece of the candidate is on the side of the surface that the sign of the distance says.
+// Whether the piece of the candidate begins on the side of the surface that the sign of the distance says.
 bool right_side(const RoundedPolynomial &v, const Vector3 &normal, double distance) noexcept {
     const Vector3 a = coefficient(v, 0);
     return (distance < 0 ? -1 : 1) * dot(a, normal) > length(a) * length(normal) / 2;
@@ -109,13 +111,13 @@ double squared(double x) noexcept {
     return x * x;
 }
 
-// S_u and S_v times w^2, and the extent of w.
+// S_u and S_v times w^2, and the range of w.
 struct Tangents {
     RoundedPolynomial p, q;
     Range weights;
 };
 
-// At most |b|^2, where |S_u x S_v| is at least `area`.
+// An upper bound of |b|^2, where |S_u x S_v| is at least `area`; v is multiplied by w.
 double squared_tangential_part(const RoundedPolynomial &v, const Tangents &tangents, double area) {
     const auto &[p, q, weights] = tangents;
     const double w3 = weights.lower * squared(weights.lower), w4 = w3 * weights.lower;
@@ -127,19 +129,20 @@ double squared_tangential_part(const RoundedPolynomial &v, const Tangents &tange
            squared(area);
 }
 
-// At most | |a| - |d| |, from (v^2 - d^2) w^2. From a^2 - d^2 = x follows |a| - |d| = x / (|d| + sqrt(d^2 + x)), which rises with x.
+// An upper bound of | |a| - |d| |, from the range `off` of (v^2 - d^2) w^2 and an upper bound b2 of |b|^2.
+// From a^2 - d^2 = x follows |a| - |d| = x / (|d| + sqrt(d^2 + x)), which increases with x.
 double normal_part(Range off, Range weights, double b2, double distance) {
     const double small = squared(weights.lower), large = squared(weights.upper), d2 = squared(distance);
     const double more = off.upper / (off.upper > 0 ? small : large),
                  less = b2 - off.lower / (off.lower < 0 ? small : large);
-    if (!(d2 > 2 * less) || !(d2 > -2 * more)) { // nothing is near, and differences would not be known well
+    if (!(d2 > 2 * less) || !(d2 > -2 * more)) { // far off, where differences would be inaccurate
         return infinity;
     }
     const auto along = [&](double x) { return x / (std::abs(distance) + std::sqrt(d2 + x)); };
     return std::max({along(more), -along(-less), 0.0});
 }
 
-// v and d w side by side, so that v^2 - (d w)^2 is one product.
+// v and d w side by side, so that v^2 - (d w)^2 is a single product.
 RoundedPolynomial with_distance(const RoundedPolynomial &v, const HomogeneousPiece &s, double distance) {
     BernsteinShape shape = v.shape;
     shape.width = 1;
@@ -147,7 +150,7 @@ RoundedPolynomial with_distance(const RoundedPolynomial &v, const HomogeneousPie
                          scaled(coarse_raised(s.weight, shape), distance)});
 }
 
-// At most |(|a| - |d|, |b|)|, from |b|^2.
+// An upper bound of |(|a| - |d|, |b|)|, from one of |b|^2.
 double whole_bound(const RoundedPolynomial &v, const HomogeneousPiece &s, double b2, double distance) {
     const RoundedPolynomial both = with_distance(v, s, distance);
     const Range off = range_of(coarse_dot(both, both, -1));
@@ -187,7 +190,7 @@ BernsteinShape highest(BernsteinShape a, const BernsteinShape &b) noexcept {
     return a;
 }
 
-// What bound_of() makes of the pieces of a spline and the differences v of a candidate from them.
+// Applies bound_of() to the pieces of a spline and the differences v, times w, of a candidate from them.
 template <class BoundOf>
 std::vector<double> bounds_of(const Spline &spline, const Spline &candidate,
                               const pieces::BernsteinNet::Breaks &breaks, BoundOf &&bound_of) {
@@ -201,7 +204,7 @@ std::vector<double> bounds_of(const Spline &spline, const Spline &candidate,
         const BernsteinShape shape = highest(moved.shape, s.points.shape);
         const RoundedPolynomial v = coarse_raised(moved, shape) - coarse_raised(s.points, shape);
         const double bound = given.positive() ? bound_of(s, v, given.weighted()) : infinity;
-        bounds.push_back(bound >= 0 ? bound : infinity); // rather than no number
+        bounds.push_back(bound >= 0 ? bound : infinity); // rather than NaN
     }
     return bounds;
 }

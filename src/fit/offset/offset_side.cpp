@@ -30,7 +30,7 @@ Box box_of(const RoundedPolynomial &a) {
     return boxes::each([&](size_t c) { return bounds_of(a, c); });
 }
 
-// The points w (x - c) about their middle, and where that x - c lies.
+// Moves the points w (x - c) to the middle of their box as the new centre c; returns the box of x - c.
 Box move_to_middle(HomogeneousPiece &s) {
     const size_t count = s.weight.values.size();
     Box all;
@@ -55,11 +55,12 @@ Box move_to_middle(HomogeneousPiece &s) {
 }
 
 constexpr int64_t most_pieces = 1 << 12;
-constexpr int64_t patches_of_a_piece = 4; // that take as much time
+constexpr int64_t patches_of_a_piece = 4; // that take as much time as a piece
 
 constexpr Bounds nothing_known{-infinity, infinity};
 
-// The determinant of I - d II, of the fundamental forms, whose sign is that of (1 - k1 d)(1 - k2 d). Derivatives of S = A / w are
+// The determinant of I - d II with the fundamental forms I and II, whose sign is that of
+// (1 - k1 d)(1 - k2 d). The derivatives of S = A / w are
 //     S_u = (A_u - S w_u) / w,   S_uv = (A_uv - S_u w_v - S_v w_u - S w_uv) / w
 Bounds determinant(HomogeneousPiece s, double distance) {
     const Bounds w = bounds_of(s.weight, 0);
@@ -92,7 +93,7 @@ Bounds determinant(HomogeneousPiece s, double distance) {
     return form(0, 0) * form(1, 1) - mixed * mixed;
 }
 
-// How far the points go along an axis.
+// How far the points extend along an axis.
 double extent(const HomogeneousPiece &s, int axis) {
     double largest = 0;
     for (const double x : derivative(s.points, axis).values) {
@@ -106,7 +107,7 @@ struct SidePart {
     Bounds determinant;
 };
 
-// On the axis along which less remains unknown.
+// Halves a piece along the axis on which less remains undecided.
 std::array<SidePart, 2> halves(const HomogeneousPiece &piece, double distance) {
     const auto cut_along = [&](int axis) {
         HomogeneousPiece upper = piece;
@@ -127,7 +128,8 @@ std::array<SidePart, 2> halves(const HomogeneousPiece &piece, double distance) {
                                                                                  : std::move(v);
 }
 
-// The sign on all of a piece, where others have `all`.
+// The sign on all of a piece; 0 if it varies, cannot be told, or is not `all`, that of the other pieces (0:
+// there are none).
 int side_on(HomogeneousPiece whole, double distance, int all, int64_t &pieces) {
     const Bounds first = determinant(whole, distance);
     std::vector<SidePart> rest;
@@ -176,8 +178,8 @@ int offset_side(const SplinePtr &surface, double distance, const OffsetRule &rul
     return side;
 }
 
-// The curve moved along V is a surface with the normal C' x V, against V x C'; one of its curvatures is 0, and the other one belongs to
-// the curve as it is seen along V, as the offset does.
+// The surface that the curve sweeps along V has the normal C' x V, opposite to V x C'. One of its principal
+// curvatures is 0; the other one is that of the curve as seen along V, which also decides about the offset.
 int offset_side(const SplinePtr &curve, const CurveOffset &offset, const OffsetRule &rule) {
     const Vector3 &v = offset.reference;
     const int64_t count = curve->point_count();

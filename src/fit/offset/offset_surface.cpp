@@ -16,22 +16,23 @@ namespace nrb::fit {
 
 namespace {
 
-// Patches whose bounds are looked for at once: each takes some kilobytes meanwhile.
+// The number of patches that are bounded at once: each takes some kilobytes meanwhile.
 constexpr int64_t patches_at_once = 64;
-// What each of two axes may do of an error.
+// The share of the tolerance for the error along each of two axes.
 constexpr double share_of_axis = 0.5;
 
-// In how many parts each interval of both axes is to be cut.
+// The numbers of parts into which the intervals of both axes are to be cut.
 using Parts = std::array<std::vector<int>, 2>;
 
-// A patch that is not near enough.
+// A patch that misses the tolerance.
 struct Miss {
     std::array<size_t, 2> patch;
-    double bound;                // of all
-    std::array<double, 2> along; // its part along each axis
+    double bound;                // of the whole patch
+    std::array<double, 2> along; // the part of it along each axis
 };
 
-// The time that a patch takes, as a multiple of that of a bicubic polynomial one: products with the difference, of more degrees.
+// The time that a patch takes, as a multiple of that of a bicubic polynomial one: for products with the
+// difference, which is of higher degrees.
 int64_t cost_of(const Spline &surface) noexcept {
     double cost = surface.rational() ? 2 : 1;
     for (const int k : {0, 1}) {
@@ -70,7 +71,7 @@ private:
                (rule_.left == nullptr || patches(axes) <= *rule_.left / cost_);
     }
 
-    // The candidate of the axes, and how near it is.
+    // Makes the candidate over the axes, and bounds its distance.
     void look() {
         if (rule_.left != nullptr) {
             *rule_.left -= patches(axes_) * cost_;
@@ -101,7 +102,8 @@ private:
         }
     }
 
-    // As much as is needed, or as is left: towards a larger tolerance where there are too few patches. Whether any came in.
+    // Cuts patches as much as needed. If that makes too many patches, it cuts as much as is affordable,
+    // towards a larger tolerance. Returns whether any were cut.
     bool refine() {
         const std::vector<Miss> misses = misses_of();
         for (int doublings = 0;; ++doublings) {
@@ -140,7 +142,8 @@ private:
         }
         return parts;
     }
-    // Shared as the boundary of the patch is off in the middle of each axis. Where there is no bound both are cut.
+    // Divides the bound between the axes in proportion to the errors in the middles of two boundary curves of
+    // the patch. Without a bound both axes are cut.
     [[nodiscard]] Miss miss_of(const std::array<size_t, 2> &patch, double bound) const {
         std::array<double, 2> off{};
         for (const size_t k : {size_t{0}, size_t{1}}) {
@@ -169,7 +172,7 @@ private:
     int64_t cost_;
     PatchAxes axes_;
     OffsetCandidate candidate_{};
-    std::vector<double> bounds_; // of its patches
+    std::vector<double> bounds_; // of the patches of axes_
     double worst_ = infinity;
     OffsetSurface best_{nullptr, infinity};
 };

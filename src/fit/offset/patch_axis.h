@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the quintic pieces of an approximated offset end along an axis, and what its control points are.
+// The ends of the quintic pieces of an approximated offset along an axis, and its control points.
 #pragma once
 
 #include "spline/spline.h"
@@ -11,7 +11,8 @@ namespace nrb::fit {
 
 inline constexpr int patch_degree = 5;
 
-// Ends of patches along an axis, and how many derivatives are equal on both sides of them, at most 2.
+// The ends of patches along an axis, and the number of derivatives that are equal on both sides of each, at
+// most 2.
 struct PatchAxis {
     std::vector<double> breaks;
     std::vector<int> smooth;
@@ -20,21 +21,24 @@ struct PatchAxis {
     [[nodiscard]] bool is_end(size_t i) const noexcept { return i == 0 || i + 1 == breaks.size(); }
 };
 
-// The pieces of a spline along its axis. Derivatives of an offset are of one order more in those of the spline.
+// The pieces of a spline along its axis. A derivative of the offset depends on derivatives of the spline of
+// one order more.
 PatchAxis patch_axis(const KnotVector &axis);
 
-// Of quintics that join so smoothly.
+// The knots of quintics that join as smoothly as that.
 KnotVectorPtr knots_of(const PatchAxis &axis);
 
-// A side of a break, where the offset has a Taylor polynomial along the axis: both sides are one where they are equal up to its order.
+// A site: a side of a break, where the offset has a Taylor polynomial along the axis. Both sides are one site
+// where their polynomials are equal.
 struct Site {
     size_t at;
     bool left;
 };
 std::vector<Site> sites_of(const PatchAxis &axis);
 
-// A control point along the axis: with the Taylor coefficients c at a site, factors[0] c_0 + factors[1] c_1 + factors[2] c_2. It is
-// the polar form of the polynomial at its five knots, three of which are the break, and x and y away from it the others:
+// A control point along the axis: factors[0] c_0 + factors[1] c_1 + factors[2] c_2 with the Taylor
+// coefficients c at a site. This is the polar form (blossom) of the polynomial at the five knots of the
+// control point, of which three are the break and two lie x and y away from it:
 //     c_0 + (x + y) c_1 / 5 + x y c_2 / 10
 struct Layer {
     size_t site;
@@ -42,14 +46,15 @@ struct Layer {
 };
 std::vector<Layer> layers_of(const PatchAxis &axis);
 
-// In how many parts a patch with a bound is to be cut. Quintics come nearer by the sixth power of the lengths of their intervals;
-// bounds that are infinite say nothing about that. 1: in none.
+// The number of parts into which a patch with a bound is to be cut; 1: it is not cut. The error of quintics
+// falls with the sixth power of the lengths of their intervals; a bound that is infinite says nothing about
+// it.
 int parts_for(double bound, double tolerance) noexcept;
 
-// Interval i in parts[i] equal parts, which join smoothly.
+// Cuts interval i into parts[i] equal parts, which join smoothly.
 PatchAxis cut(const PatchAxis &axis, const std::vector<int> &parts);
 
-// Whether no interval has become too short to have an inside.
+// Whether the breaks increase strictly: no interval has become too short to have an inside.
 bool rising(const PatchAxis &axis) noexcept;
 
 } // namespace nrb::fit

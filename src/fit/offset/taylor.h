@@ -11,7 +11,7 @@ namespace nrb::fit {
 
 inline constexpr int taylor_order = 2;
 
-// f(x, y) = sum c_ij x^i y^j but for higher powers of x or y; c_ij is the derivative over i! j!.
+// f(x, y) = sum c_ij x^i y^j without powers of x or y above the second; c_ij is the derivative over i! j!.
 struct Taylor {
     static constexpr size_t count = taylor_order + 1;
     std::array<std::array<double, count>, count> c{};
@@ -49,7 +49,8 @@ inline Taylor operator*(const Taylor &a, const Taylor &b) noexcept {
     return product;
 }
 
-// 1 / sqrt(a), by steps r (3 - a r^2) / 2 of Newton: each of them doubles the order up to which it is right, and adds one.
+// 1 / sqrt(a), by Newton steps r (3 - a r^2) / 2. A step raises the order k up to which r is right to
+// 2 k + 1.
 inline Taylor inverse_root(const Taylor &a) noexcept {
     Taylor root;
     root.c[0][0] = 1 / std::sqrt(a.c[0][0]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of cells in the order in which data meet them.
+// Numbers for cells, in the order in which data reach them.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace nrb::fit {
 
-// The cells that were met so far.
+// The cells that were reached so far.
 class CellSlots {
 public:
     CellSlots(int64_t cells, int64_t points) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bernstein functions in integers: the same bits on every machine.
+// Bernstein polynomials in fixed-point arithmetic: the same bits on every machine.
 #pragma once
 
 #include "fit/statistics/statistics.h"
@@ -12,8 +12,8 @@ namespace nrb::fit {
 
 inline constexpr int64_t function_unit = int64_t{1} << function_bits;
 
-// A place in a cell, from its nearer end, in units of 2^-64: at most 2^63. All roundings are those of its quotient of two
-// differences.
+// A place in a cell: its distance from the nearer end, in units of 2^-64 of the cell, at most 2^63. The
+// quotient of two differences is rounded as IEEE arithmetic does, and then down to a multiple of 2^-62.
 struct CellPlace {
     uint64_t distance;
     bool from_end;
@@ -23,8 +23,8 @@ inline CellPlace place_in_cell(double t, double lower, double upper) noexcept {
     return {static_cast<uint64_t>(static_cast<int64_t>(nearer * 0x1p62)) << 2, u > 0.5};
 }
 
-// From the functions of degree n - 1 those of degree n, from the nearer end on. A function is divided in two parts, of which
-// one is rounded down, so that the sum of all stays 2^62.
+// From the Bernstein polynomials of degree n - 1 those of degree n, numbered from the nearer end. Each one is
+// divided into two parts, one of which is rounded down, so that the sum of all stays 2^62.
 [[gnu::always_inline]] inline void raise_functions(int n, uint64_t distance, int64_t *values) noexcept {
     int64_t carried = 0;
     for (int k = 0; k < n; ++k) {
@@ -36,7 +36,7 @@ inline CellPlace place_in_cell(double t, double lower, double upper) noexcept {
     }
     values[n] = carried;
 }
-// The same in steps of one, from those of degree `from`.
+// The same in steps of one degree, beginning with those of degree `from`.
 template <class From, class To>
 [[gnu::always_inline]] inline void raise_functions(From from, To to, uint64_t distance,
                                                    int64_t *values) noexcept {
@@ -50,7 +50,7 @@ inline int64_t function_product(int64_t a, int64_t b) noexcept {
     return Int128::product(a, b).rounded_shift(function_bits);
 }
 
-// Numbers of a scale 2^exponent in units of 2^-53 of it.
+// Numbers up to a scale 2^exponent as integers in units of 2^-53 of it.
 class ScaledUnits {
 public:
     explicit ScaledUnits(int exponent) noexcept
@@ -59,8 +59,8 @@ public:
           second_(std::ldexp(1.0, value_bits - exponent - (value_bits - exponent) / 2)) {}
 
     [[nodiscard]] double scale() const noexcept { return scale_; }
-    // Rounded to the nearest integer, the even one in the middle. Precondition: |x| <= scale(). Two products, because
-    // 2^(53 - exponent) may be no normal number; the first one rounds nothing that counts.
+    // Rounded to the nearest integer, ties to even. Precondition: |x| <= scale(). It takes two products,
+    // because 2^(53 - exponent) may not be a normal number; the first one rounds nothing that counts.
     [[nodiscard]] int64_t operator()(double x) const noexcept { return std::llrint(x * first_ * second_); }
 
 private:

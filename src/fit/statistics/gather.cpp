@@ -28,7 +28,7 @@ double checked_weight(const ConstRecords &weights, int64_t i) {
 
 namespace {
 
-// Sums in 128 bits have room for so many terms: a weight times a function is below 2^115.
+// The number of terms for which 128-bit sums have room: a weight times a function is below 2^115.
 constexpr int32_t most_pending = 1 << 11;
 
 class Gathering {
@@ -60,7 +60,7 @@ public:
         }
     }
 
-    // The same checks, and nothing else.
+    // Makes the same checks without adding anything.
     void check_all() {
         const int64_t n = data_.params.count;
         for (int64_t i = 0; i < n; ++i) {
@@ -89,12 +89,12 @@ public:
 private:
     static constexpr int64_t block = 1024, batch = 32;
 
-    // A value in units of the scale, and times its weight.
+    // A value in units of the scale, and the same times its weight.
     struct Value {
         int64_t units;
         int64_t weighted;
     };
-    // A point that counts, and where it and its value are in a batch.
+    // A point that counts, and where in a batch its places and its value are.
     struct Point {
         int64_t cell, weight;
         const CellPlace *places;
@@ -110,8 +110,8 @@ private:
     }
     [[nodiscard]] size_t entries() const noexcept { return static_cast<size_t>(layout_.entries()); }
 
-    // Where points are is found for several of them before they are added: a processor has most of these divisions, which need
-    // not wait for each other, under way at once.
+    // The places of several points are found before these are added: the divisions for them need not wait for
+    // each other, and a processor has most of them under way at once.
     void add_batch(int64_t first, int64_t end) {
         std::array<Point, batch> points;
         size_t count = 0;
@@ -158,13 +158,13 @@ private:
              Number(x).text, Number(units.scale()).text);
     }
 
-    // Its cell, and where in it; false if the point is left out.
+    // Finds the cell of a point, and its place in the cell; false if the point is left out.
     bool find(int64_t i, int64_t &cell, CellPlace *places) const {
         for (size_t k = 0; k < finders_.size(); ++k) {
             const double given = data_.params(i, static_cast<int64_t>(k));
             const KnotVector &breaks = *form_.breaks[k];
             const Interval domain = breaks.domain();
-            const bool wraps = rules_[k].outside == eval::Outside::wrap; // an end too
+            const bool wraps = rules_[k].outside == eval::Outside::wrap; // ends are wrapped, too
             const bool inside = wraps ? given > domain.lower && given < domain.upper
                                       : given >= domain.lower && given <= domain.upper;
             if (!inside) {
@@ -199,7 +199,7 @@ private:
         std::snprintf(name, sizeof name, "params[%lld][%zu]", static_cast<long long>(i), k);
         eval::check_parameter(data_.params(i, static_cast<int64_t>(k)), rules_[k], domain, name);
     }
-    // Degrees that are known to the compiler take half of the time.
+    // Degrees known at compile time halve the time.
     void set_functions(size_t k, const CellPlace &place) noexcept {
         using std::integral_constant;
         switch (form_.degrees[k]) {
@@ -247,7 +247,8 @@ private:
         fail_scale(value, of_values_, name, c);
     }
 
-    // Sums of cubic curves in the plane or in space, whose numbers are known to the compiler, take two thirds of the time.
+    // Sums of cubic curves of dimension 1 to 3 without weights, whose sizes are known at compile time, take
+    // two thirds of the time.
     void add_to(Int128 *sums, const Point &point) noexcept {
         using std::integral_constant;
         const bool cubic = form_.axes() == 1 && form_.degrees[0] == 3 && !weighted_;
@@ -288,7 +289,7 @@ private:
         }
         squares[dim] += Int128::of(1);
     }
-    // Without weights, what they would multiply is not multiplied until the sums are settled.
+    // Without weights, the sums that a weight would multiply get its factor only when they are settled.
     void add_any(Int128 *sums, const Point &point) noexcept {
         for (size_t k = 0; k < finders_.size(); ++k) {
             set_functions(k, point.places[k]);
@@ -321,7 +322,8 @@ private:
         }
         return sums;
     }
-    // Products of functions of all axes, along the last one; of those before it, `factor`.
+    // Visits the products of the functions of all axes, row by row along the last axis; `factor` is the
+    // product of those of the axes before.
     using Functions = std::array<std::vector<int64_t>, max_axes>;
     template <class Visit>
     void for_each_row(const Functions &functions, const Visit &visit, size_t k = 0,
@@ -338,7 +340,7 @@ private:
         visit(std::span<const int64_t>(products.data(), functions[k].size()));
     }
 
-    // Adds what is pending to the sums that have room for all.
+    // Adds the pending sums to those that have room for all data.
     void settle(size_t slot) noexcept {
         Int128 *const recent = recent_.data() + slot * entries();
         ExactSum *const sums = sums_.data() + slot * entries();
@@ -363,7 +365,7 @@ private:
     std::vector<CellPlace> places_; // [batch][axes]
     std::vector<Value> values_;     // [batch][dim]
     Functions high_, low_;          // functions of degrees 2 p and p at the point
-    // By slots.
+    // Of each slot, a cell that data have reached.
     std::vector<int64_t> counts_;
     std::vector<int32_t> pending_;
     std::vector<Int128> recent_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics of points.
+// Gathers the statistics of data points.
 #pragma once
 
 #include "base/records.h"
@@ -18,10 +18,10 @@ struct Data {
     ConstRecords weights;
 };
 
-// Of the finite ones; 0 without weights.
+// The largest finite weight; 0 without weights.
 double largest_weight(const Data &data) noexcept;
 
-// Which data count: those of a weight above 2^-54 of the scale, at a parameter that the rules do not make NaN.
+// Which data count: those of a weight above 2^-54 of the scale, at parameters that the rules do not make NaN.
 class CountedData {
 public:
     // `domains` of the axes.
@@ -42,7 +42,8 @@ public:
         }
         return true;
     }
-    // Whether a look at all of some parameters tells that these data count.
+    // Whether a quick look at all parameters shows that these data count; false does not mean that some do
+    // not.
     [[nodiscard]] bool surely_all(int64_t first, int64_t count) const noexcept {
         const ConstRecords &params = data_.params;
         const auto axes = static_cast<int>(domains_.size());
@@ -53,7 +54,7 @@ public:
         return data_.weights.data == nullptr && packed && !wrapped &&
                eval::all_inside(params.record(first), count * axes, axes, domains_.data());
     }
-    // Its parameter on an axis.
+    // The parameter of a datum on an axis, as the rules place it.
     [[nodiscard]] double place(int64_t i, size_t k) const noexcept {
         return eval::place(data_.params(i, static_cast<int64_t>(k)), rules_[k], domains_[k]);
     }
@@ -65,15 +66,16 @@ private:
     double least_weight_;
 };
 
-// Statistics of the data. A parameter that the rules make NaN leaves its point out, and so does a weight of 0, whatever the
-// value is. Throws Status::parameter_not_finite, outside_domain, point_not_finite, weight_not_finite, weight_negative, and
-// Status::scale for a value or a weight above its scale, with the index of the first one; none are gathered then.
+// The statistics of the data. A point is left out, whatever its value is, if the rules make a parameter NaN
+// or if its weight is 0. Throws Status::parameter_not_finite, outside_domain, point_not_finite,
+// weight_not_finite, weight_negative, and Status::scale for a value or a weight above its scale, with the
+// index of the first such datum; nothing is gathered then.
 Statistics gather(std::shared_ptr<const StatisticsForm> form, const Data &data, const eval::AxisRules &rules);
 
-// 1 without weights. Throws Status::weight_not_finite, weight_negative.
+// The weight of datum i, 1 without weights. Throws Status::weight_not_finite, weight_negative.
 double checked_weight(const ConstRecords &weights, int64_t i);
 
-// Throws what gather() does.
+// Throws what gather() would throw, without gathering.
 void check_data(const StatisticsForm &form, const Data &data, const eval::AxisRules &rules);
 
 } // namespace nrb::fit

@@ -62,7 +62,7 @@ void check_forms(std::span<const StatisticsPtr> parts) {
     }
 }
 
-// The next cell of each part that is to be added.
+// Merges the cells of the parts in ascending order; next_ has the next cell of each part to be added.
 class Merge {
 public:
     Merge(std::span<const StatisticsPtr> parts, std::span<const int32_t> signs)
@@ -119,7 +119,7 @@ private:
         heads_.push_back({cells[next_[part]], part});
         return true;
     }
-    // Returns how many data that is.
+    // Returns the number of data added, negative if they are subtracted.
     int64_t add(size_t part, std::vector<ExactSum> &sums) const {
         const auto at = static_cast<int64_t>(next_[part]);
         const std::span<const ExactSum> own = parts_[part]->sums(at);
@@ -131,7 +131,8 @@ private:
         const int64_t count = parts_[part]->counts()[next_[part]];
         return minus ? -count : count;
     }
-    // Data that were not added before cannot be subtracted: their number tells, or else the sum of squares.
+    // Data that were not added before cannot be subtracted: the number of data shows it, or else the sum of
+    // weights.
     static void check(int64_t cell, int64_t count, const std::vector<ExactSum> &sums) {
         const bool empty = std::ranges::all_of(sums, &ExactSum::zero);
         if (count < 0 || (count == 0 && !empty) || sums.back().negative()) {

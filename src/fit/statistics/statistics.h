@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sufficient statistics of data: what least squares with any spline over given breaks need to know of them.
+// Sufficient statistics of data: all that least-squares fits of splines over given breaks need to know of
+// them.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -11,12 +12,12 @@
 
 namespace nrb::fit {
 
-// What statistics have to share to be added.
+// What statistics must have in common to be added.
 struct StatisticsForm {
     std::vector<int> degrees;
     std::vector<KnotVectorPtr> breaks; // of degree 0: a cell is a span on each axis
     int dim;
-    // Powers of two that no |value|, and no weight, exceeds.
+    // Exponents of powers of two that no |value|, and no weight, exceeds.
     int value_exponent;
     int weight_exponent;
 
@@ -25,10 +26,10 @@ struct StatisticsForm {
     friend bool operator==(const StatisticsForm &a, const StatisticsForm &b) noexcept;
 };
 
-// The sums of a cell, one after the other, of w_i times
-// - the products of the Bernstein functions of degree 2 p on each axis at the parameters, last axis fastest. The product
-//   of two functions of degree p is a multiple of one of degree 2 p, so that these are the normal equations of all
-//   polynomials of degree p on the cell, in fewer numbers;
+// The sums of a cell, in this order, of w_i times
+// - the products of the Bernstein polynomials of degree 2 p on each axis at the parameters, last axis fastest
+//   ("moments"). The product of two Bernstein polynomials of degree p is a multiple of one of degree 2 p, so
+//   that these sums give the normal equations of all polynomials of degree p on the cell, in fewer numbers;
 // - the products of those of degree p, times the value: [..][dim];
 // - the squared values: [dim];
 // - 1.
@@ -42,9 +43,10 @@ struct CellLayout {
     [[nodiscard]] int64_t entries() const noexcept { return weight() + 1; }
 };
 
-// Functions are integers in units of 2^-62, values and weights in units of 2^-53 of their scales, products of two functions,
-// and of a value and a weight, are rounded back to these units, and sums of w_i times one of them are exact. So sums do not
-// depend on the order of the data, nor on the machine.
+// Bernstein polynomials are integers in units of 2^-62, values and weights integers in units of 2^-53 of
+// their scales. Products of two polynomials, and of a value and a weight, are rounded to the same units; sums
+// of w_i times one of them are exact. The sums therefore depend neither on the order of the data nor on the
+// machine.
 inline constexpr int function_bits = 62, value_bits = 53;
 
 class Statistics {
@@ -54,7 +56,8 @@ public:
     [[nodiscard]] const StatisticsForm &form() const noexcept { return *form_; }
     [[nodiscard]] const std::shared_ptr<const StatisticsForm> &shared_form() const noexcept { return form_; }
 
-    // Cells that hold data, ascending, with the last axis fastest; the number of data in each; their sums.
+    // cells(): those that hold data, ascending, last axis fastest; counts(): the number of data in each;
+    // sums(i): the sums of the i-th one.
     [[nodiscard]] std::span<const int64_t> cells() const noexcept { return cells_; }
     [[nodiscard]] std::span<const int64_t> counts() const noexcept { return counts_; }
     [[nodiscard]] std::span<const ExactSum> sums(int64_t i) const noexcept {
@@ -64,7 +67,7 @@ public:
     [[nodiscard]] int64_t data_count() const noexcept;
     [[nodiscard]] double weight() const noexcept;
 
-    // Cells have to be added by rising indices; those without data are left out.
+    // Cells have to be appended in ascending order; those without data are left out.
     void append(int64_t cell, int64_t count, std::span<const ExactSum> sums);
     void reserve(size_t cells);
 
@@ -76,8 +79,8 @@ private:
 
 using StatisticsPtr = std::shared_ptr<const Statistics>;
 
-// The sum of parts times signs, 1 or -1 (empty: all 1), at least one part. Throws Status::incompatible where forms differ,
-// and Status::count where more data are taken from a cell than it holds.
+// The sum of at least one part, each times its sign, 1 or -1 (empty: all 1). Throws Status::incompatible
+// where the forms differ, and Status::count where more data are taken from a cell than it holds.
 Statistics merged(std::span<const StatisticsPtr> parts, std::span<const int32_t> signs);
 
 } // namespace nrb::fit
