@@ -2,6 +2,7 @@
 #include "face/arrange/split.h"
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/numbers.h"
 #include "face/arrange/domain_area.h"
 #include "face/arrange/edge_sides.h"
@@ -150,12 +151,13 @@ private:
     // tolerance as the domain measures it. Since parameters may be spread unevenly in space, edges may be
     // moved by a few tolerances.
     [[nodiscard]] SplinePtr snapped(const SplinePtr &edge, bool upper, size_t node) {
-        constexpr double rounding = 0x1p-40; // of the size of the surface
+        constexpr double rounding = 0x1p-40; // of the size of the surface, or its coordinates
         auto [known, fresh] = points_.try_emplace(node);
         if (fresh) {
             known->second = point_at(*face_.surface(), covering_.in_domain(arrangement_.nodes()[node]));
         }
-        return with_end(edge, upper, known->second, std::max(rounding * covering_.extent(), 4 * tolerance_));
+        const double reach = std::max(covering_.extent(), largest_magnitude(known->second));
+        return with_end(edge, upper, known->second, std::max(rounding * reach, 4 * tolerance_));
     }
 
     const Face &face_;
