@@ -52,7 +52,7 @@ SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
 }
 
 bool is_region_plane(const Spline &surface) {
-    if (surface.dim() != 3 || surface.rational() || surface.count(0) != 2 || surface.count(1) != 2) {
+    if (surface.dim() != 3 || !plane_map(surface)) {
         return false;
     }
     const Interval x = surface.axis(0).domain(), y = surface.axis(1).domain();
