@@ -14,10 +14,6 @@ inline constexpr double usual_margin = 1.0 / 64;
 // the domain ends, as far as its weights stay positive, so that what runs along its ends does not; axes that close and poles stay.
 SplinePtr ground_of(const Face &face, bool beyond, double margin = usual_margin);
 
-// How much faster a point of the surface moves than its parameters, on each axis: bounds over the domain, infinite where there is
-// none.
-std::array<double, 2> fastest(const Spline &surface);
-
 // S_u x S_v over powers of two; 0 where it is not defined. Precondition: a place of the domain.
 Vector3 surface_normal(const Spline &surface, const Point2 &at);
 
