@@ -9079,8 +9079,9 @@ NURBS_API nurbs_status nurbs_region_combine_with(int32_t rule, int64_t count_a, 
  *
  * The parts on both sides of a curve have a common edge in space with a common key, and the ends of this edge
  * are nodes, bit for bit: the result is closed along all of its cuts without being sewn. Curves of loops that
- * are not cut keep the edges in space and keys that they were given; edges of others are made
- * (nurbs_face_edge()), with keys above those of the face.
+ * are not cut keep the edges in space and keys that they were given; an edge without a key gets one if parts
+ * on both sides have it, as along a seam. Edges of others are made (nurbs_face_edge()). New keys are above
+ * those of the face.
  * \param[in] face a face of a surface of dimension 3.
  * \param[in] count number of curves.
  * \param[in] curves [count] curves of dimension 2 in the domain of the surface, or in the plane that covers

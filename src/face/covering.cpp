@@ -98,6 +98,10 @@ Covering::Covering(const Spline &surface, double tolerance)
     }
 }
 
+double Covering::reach(int k) const noexcept {
+    return std::max({period(k), std::abs(domain(k).lower), std::abs(domain(k).upper)});
+}
+
 Point2 Covering::in_domain(Point2 x) const noexcept {
     for (size_t k = 0; k < 2; ++k) {
         const Interval range = domain_[k];

@@ -26,6 +26,9 @@ public:
 
     [[nodiscard]] Interval domain(int k) const noexcept { return domain_[static_cast<size_t>(k)]; }
     [[nodiscard]] double period(int k) const noexcept { return domain(k).upper - domain(k).lower; }
+    // The period, or the largest magnitude of a parameter in the domain if that is larger: what the rounding
+    // of parameters is a share of.
+    [[nodiscard]] double reach(int k) const noexcept;
     [[nodiscard]] bool closed(int k) const noexcept { return closed_[static_cast<size_t>(k)]; }
     // The largest side of the box of the control points.
     [[nodiscard]] double extent() const noexcept { return extent_; }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <map>
 #include <set>
 
 namespace closed_regions_test {
@@ -418,6 +420,142 @@ TEST(ClosedRegions, FacesWithoutAnOuterLoop) {
     across.push_back(ground.segment(0.5, -0.2, 0.5, 1.2));
     const Face outer = models::face_of(rest.get(), 0);
     expect_parts(ground, outer.get(), across, 2, random);
+}
+
+namespace {
+
+std::vector<Use> uses_in(const Model &parts) {
+    std::vector<Use> uses;
+    for (const Face &part : faces_of(parts.get())) {
+        for (std::vector<Use> &loop : loops_of(part.get())) {
+            std::ranges::move(loop, std::back_inserter(uses));
+        }
+    }
+    return uses;
+}
+
+} // namespace
+
+// Of a loop that runs up a seam and down again both sides get one edge with one number, whether it had one
+// before or not.
+TEST(ClosedRegions, SidesOfASeamHaveOneEdge) {
+    const Ground ground(cylinder());
+    const auto image = [&](const Vec &place) {
+        return eval(ground.surface.get(), place, NURBS_ON_AXIS(0, NURBS_WRAP));
+    };
+    const auto side = [&](double from, double to) {
+        const Point a = ground.at(0, from), b = ground.at(0, to);
+        const Vec x = eval(ground.surface.get(), {a[0], a[1], b[0], b[1]});
+        return create({{1}, {2}, {{0, 0, 1, 1}}, 3, x, {}});
+    };
+    const Handle curves[] = {ground.segment(0, 0, 1, 0), ground.segment(1, 0, 1, 1),
+                             ground.segment(1, 1, 0, 1), ground.segment(0, 1, 0, 0)};
+    const nurbs *loop[] = {curves[0].get(), curves[1].get(), curves[2].get(), curves[3].get()};
+    const Handle up = side(0, 1), down = side(1, 0);
+    const nurbs *alike[] = {nullptr, up.get(), nullptr, down.get()},
+                *rises[] = {nullptr, up.get(), nullptr, up.get()},
+                *falls[] = {nullptr, down.get(), nullptr, down.get()};
+    Curves halves;
+    halves.push_back(ground.segment(0.5, -0.1, 0.5, 1.1));
+    struct Given {
+        const nurbs *const *edges;
+        std::array<int64_t, 4> keys;
+    };
+    for (const Given &given : {Given{alike, {}},
+                               {rises, {0, 7, 0, -7}},
+                               {falls, {0, -7, 0, 7}},
+                               {nullptr, {}},
+                               {nullptr, {0, 7, 0, -7}},
+                               {nullptr, {0, -7, 0, 7}}}) {
+        const int64_t size = 4;
+        nurbs_face *out = nullptr;
+        require_ok(nurbs_face_create(ground.surface.get(), 1, &size, loop, given.edges, given.keys.data(),
+                                     1e-9, 0, nullptr, &out));
+        const Model parts = split(Face(out).get(), halves);
+        EXPECT_EQ(parts_of(parts), 2);
+        std::map<int64_t, int> found;
+        for (const Use &use : uses_in(parts)) {
+            ++found[use.key];
+            const bool upwards = end_of(use.curve.get(), true)[1] > end_of(use.curve.get(), false)[1];
+            EXPECT_TRUE(std::abs(use.key) != 7 || use.key == given.keys[upwards ? 1 : 3]);
+            const Vec start = image(end_of(use.curve.get(), false)),
+                      end = end_of(use.edge.get(), use.key < 0);
+            for (size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(start[c], end[c], 1e-9) << use.key;
+            }
+        }
+        int shared = 0;
+        for (const auto &[key, times] : found) {
+            EXPECT_NE(key, 0);
+            EXPECT_EQ(times, 1) << key;
+            shared += found.contains(-key) ? 1 : 0;
+        }
+        EXPECT_EQ(shared, 4); // the sides of the seam and of the cut
+        EXPECT_EQ(found.contains(7), given.keys[1] != 0);
+    }
+}
+
+// Edges end in nodes, bit for bit, wherever the surface lies.
+TEST(ClosedRegions, EdgesEndInNodesFarFromTheOrigin) {
+    const Handle round = cylinder();
+    for (const double far : {0.0, 1e3, 5e6}) {
+        const double same[] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, move[] = {far, -far, far / 2};
+        const Ground ground(
+            made([&](nurbs **out) { return nurbs_transform(round.get(), 3, same, move, out); }));
+        Random random(11);
+        Curves lines;
+        for (int i = 0; i < 6; ++i) {
+            const double u = random.between(0, 1), v = random.between(0.1, 0.9);
+            lines.push_back(ground.segment(u, -0.1, u + random.between(-0.3, 0.3), 1.1));
+            lines.push_back(ground.segment(u, v, u + 1, v));
+        }
+        const Model parts = split(ground.face().get(), lines);
+        EXPECT_GT(parts_of(parts), 6);
+        for (const Face &part : faces_of(parts.get())) {
+            for (const std::vector<Use> &loop : loops_of(part.get())) {
+                for (size_t i = 0; i < loop.size(); ++i) {
+                    const Use &use = loop[i], &next = loop[(i + 1) % loop.size()];
+                    EXPECT_EQ(end_of(use.edge.get(), use.key > 0), end_of(next.edge.get(), next.key < 0));
+                }
+            }
+        }
+    }
+}
+
+// Places that are at an end of a closed domain to rounding are that end, bit for bit, also if the other end
+// is farther from 0.
+TEST(ClosedRegions, EndsOfDomainsNearZero) {
+    const Handle round = cylinder();
+    const double upper = 1e-3, period = 3 + upper;
+    const Ground ground(
+        made([&](nurbs **out) { return nurbs_reparametrize(round.get(), 0, -3, upper, out); }));
+    for (int i = 1; i < 40; ++i) {
+        const double from = -3 + period * i / 40;
+        const auto line = [&](double a, double v, double b, double w) {
+            return create({{1}, {2}, {{0, 0, 1, 1}}, 2, {a, v, b, w}, {}});
+        };
+        const double low = ground.at(0, 0)[1], high = ground.at(0, 1)[1];
+        const Handle bottom = line(from, low, from + period, low),
+                     top = line(from + period, high, from, high);
+        const nurbs *loops[] = {bottom.get(), top.get()};
+        const int64_t sizes[] = {1, 1};
+        nurbs_face *out = nullptr;
+        require_ok(nurbs_face_create(ground.surface.get(), 2, sizes, loops, nullptr, nullptr, 1e-9, 0,
+                                     nullptr, &out));
+        const Face face(out);
+        Curves cuts;
+        cuts.push_back(line(-3, low - 0.1, -3, high + 0.1));
+        cuts.push_back(line(from, low - 0.1, from, high + 0.1));
+        const Model parts = split(face.get(), cuts);
+        EXPECT_EQ(parts_of(parts), 2);
+        for (const Use &use : uses_in(parts)) {
+            for (const bool end : {false, true}) {
+                const double x = end_of(use.curve.get(), end)[0];
+                EXPECT_TRUE(std::abs(x - upper) > 1e-12 || x == upper) << x - upper;
+                EXPECT_TRUE(std::abs(x + 3) > 1e-12 || x == -3) << x + 3;
+            }
+        }
+    }
 }
 
 } // namespace closed_regions_test

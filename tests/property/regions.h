@@ -112,4 +112,32 @@ inline std::vector<int32_t> sides_of(const Model &region, const Vec &places, dou
     return result;
 }
 
+inline Vec end_of(const nurbs *curve, bool upper) {
+    double domain[2];
+    require_ok(nurbs_domain(curve, 0, domain));
+    return eval(curve, {domain[upper ? 1 : 0]});
+}
+
+// A curve of a loop with its edge.
+struct Use {
+    Handle curve, edge;
+    int64_t key = 0;
+};
+inline std::vector<std::vector<Use>> loops_of(const nurbs_face *face) {
+    int64_t count = 0;
+    require_ok(nurbs_face_loops(face, 0, nullptr, &count));
+    std::vector<int64_t> sizes(static_cast<size_t>(count));
+    require_ok(nurbs_face_loops(face, count, sizes.data(), nullptr));
+    std::vector<std::vector<Use>> loops(sizes.size());
+    for (size_t i = 0; i < loops.size(); ++i) {
+        const auto loop = static_cast<int64_t>(i);
+        for (int64_t j = 0; j < sizes[i]; ++j) {
+            Use &use = loops[i].emplace_back();
+            use.curve = made([&](nurbs **out) { return nurbs_face_curve(face, loop, j, out); });
+            use.edge = made([&](nurbs **out) { return nurbs_face_edge(face, loop, j, &use.key, out); });
+        }
+    }
+    return loops;
+}
+
 } // namespace support::regions

@@ -441,4 +441,74 @@ TEST(Regions, PartsAreTheWhole) {
     });
 }
 
+// Far from the origin ends agree to the rounding of their coordinates, whatever the size of the shape.
+TEST(Regions, FarFromTheOrigin) {
+    const double size = 100;
+    for (const double far : {1e3, 5e6, -5e6, 3e9}) {
+        const double next = std::nextafter(far, 2 * far); // to be closed by a segment of one rounding
+        const Point corners[] = {{far, far}, {far + size, far}, {far + size, far + size}, {far, far + size}};
+        for (const bool exact : {true, false}) {
+            Curves sides;
+            for (size_t i = 0; i < 4; ++i) {
+                sides.push_back(
+                    segment(corners[i], i == 3 && !exact ? Point{next, far} : corners[(i + 1) % 4]));
+            }
+            Model square;
+            ASSERT_EQ(try_region(sides, NURBS_FILL_NON_ZERO, 0, square), NURBS_OK) << far;
+            EXPECT_NEAR(area_of(square), size * size, 1e-14 * std::abs(far) * size);
+        }
+    }
+}
+
+// Where they are cut, curves in the domain begin and end in nodes, bit for bit, wherever the domain lies.
+TEST(Regions, CutsEndInNodesFarFromTheOrigin) {
+    for (const double far : {0.0, 1e3, 1e6, -1e6}) {
+        Curves square;
+        square.push_back(rectangle(far, far, far + 1, far + 1));
+        const Model whole = region(square);
+        for_each_case(8860, 10, [&](Random &random, uint64_t) {
+            Curves lines;
+            const auto at = [&] { return far + random.between(0.1, 0.9); };
+            for (int i = 0; i < 3; ++i) {
+                lines.push_back(segment({far - 0.01, at()}, {far + 1.01, at()}));
+                lines.push_back(segment({at(), far - 0.01}, {at(), far + 1.01}));
+            }
+            const Model parts = split(models::face_of(whole.get(), 0).get(), lines);
+            EXPECT_NEAR(models::area_of(parts.get(), 1e-8), 1, 1e-8);
+            for (const models::Face &face : faces_of(parts.get())) {
+                for (const auto &loop : loops_of(face.get())) {
+                    for (size_t i = 0; i < loop.size(); ++i) {
+                        const Use &use = loop[i], &next = loop[(i + 1) % loop.size()];
+                        EXPECT_EQ(end_of(use.curve.get(), true), end_of(next.curve.get(), false));
+                        EXPECT_EQ(end_of(use.edge.get(), use.key > 0), end_of(next.edge.get(), next.key < 0));
+                    }
+                }
+            }
+        });
+    }
+}
+
+// A patch of degree 0 along one axis jumps there: a parallelogram of control points is no plane.
+TEST(Regions, EdgesOnPatchesOfDegreeZero) {
+    const Handle surface =
+        create({{0, 1}, {2, 2}, {{0, 0.5, 1}, {0, 0, 1, 1}}, 3, {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0}, {}});
+    const Handle border = rectangle(0.1, 0.1, 0.4, 0.9);
+    const nurbs *loop = border.get();
+    const int64_t size = 1;
+    nurbs_face *out = nullptr;
+    require_ok(nurbs_face_create(surface.get(), 1, &size, &loop, nullptr, nullptr, 1e-9, 0, nullptr, &out));
+    const models::Face face(out);
+    Curves lines;
+    lines.push_back(segment({0, 0.4}, {0.5, 0.6}));
+    const Model parts = split(face.get(), lines);
+    const models::ModelCounts counts = models::counts_of(parts.get());
+    EXPECT_EQ(counts.faces, 2);
+    for (int64_t i = 0; i < counts.edges; ++i) {
+        const Handle edge = models::edge_of(parts.get(), i);
+        for (const bool upper : {false, true}) {
+            EXPECT_EQ(end_of(edge.get(), upper)[0], 0);
+        }
+    }
+}
+
 } // namespace regions_test

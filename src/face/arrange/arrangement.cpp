@@ -16,7 +16,7 @@ namespace nrb::face {
 
 namespace {
 
-constexpr double rounding_share = 0x1p-44; // of about a period
+constexpr double rounding_share = 0x1p-44; // of the reach of an axis
 
 // The distance that counts as none, in units of about a period: the share that the tolerance has of the
 // extent of the surface, but no less than a bound on the rounding of solvers and of stored places, which is
@@ -26,13 +26,11 @@ double near_of(const Covering &covering, double tolerance) {
     constexpr double largest = 0x1p480; // products of two parameters are representable
     double share = 1;
     for (const int k : {0, 1}) {
-        const Interval domain = covering.domain(k);
         if (!(covering.period(k) <= largest && covering.period(k) >= 1 / largest)) {
             fail(Status::not_representable, "the domain is %s wide on axis %d, expected 2^-480 to 2^480",
                  Number(covering.period(k)).text, k);
         }
-        share =
-            std::max(share, std::max(std::abs(domain.lower), std::abs(domain.upper)) / covering.period(k));
+        share = std::max(share, covering.reach(k) / covering.period(k));
     }
     const double given = covering.extent() > 0 ? tolerance / covering.extent() : 0;
     return std::max(rounding * share, given);
@@ -144,7 +142,7 @@ Point2 Arrangement::node_near(size_t node, const Point2 &x) const noexcept {
         const auto [lower, upper] = given_.domain(k);
         double &own = copy[static_cast<size_t>(k)];
         for (const double end : {lower, upper}) {
-            const bool moved_to_end = given_.closed(k) && std::abs(own - end) <= 4 * eps * std::abs(upper);
+            const bool moved_to_end = given_.closed(k) && std::abs(own - end) <= 4 * eps * given_.reach(k);
             own = moved_to_end ? end : own;
         }
     }
@@ -197,7 +195,7 @@ void Arrangement::set_pieces() {
 }
 
 void Arrangement::set_folded(TrimPieces plane) {
-    const Point2 unit = hits_.scaled({1, 1}), least{rounding_share / unit[0], rounding_share / unit[1]};
+    const Point2 least{rounding_share * given_.reach(0), rounding_share * given_.reach(1)};
     plane_ = std::move(plane);
     covering_ = given_.begun_at(seams_for(*plane_, given_, least));
     FoldedPieces folded = fold_chains(*plane_, covering_);
@@ -219,8 +217,11 @@ void Arrangement::set_folded(TrimPieces plane) {
     columns_.emplace(std::move(folded), covering_);
 }
 
-double Arrangement::rounding() const noexcept {
-    return rounding_share / std::max(hits_.distance({0, 0}, {1, 0}), hits_.distance({0, 0}, {0, 1}));
+bool Arrangement::is_rounding(const Point2 &x, const Point2 &y) const noexcept {
+    return std::ranges::all_of(std::array{0, 1}, [&](int k) {
+        const auto at = static_cast<size_t>(k);
+        return std::abs(x[at] - y[at]) <= rounding_share * std::max(given_.reach(k), std::abs(x[at]));
+    });
 }
 
 void fail_undecided(const Point2 &x) {

@@ -105,8 +105,8 @@ public:
     }
     // The distance that counts as none, in units of about a period.
     [[nodiscard]] double near() const noexcept { return near_; }
-    // How far apart rounding alone may set two places that are one, in parameters of the domain.
-    [[nodiscard]] double rounding() const noexcept;
+    // Whether rounding alone may have set two places of the plane apart that are one.
+    [[nodiscard]] bool is_rounding(const Point2 &x, const Point2 &y) const noexcept;
 
 private:
     // The loops with their curves cut into smooth parts. Fills origins_ and smooth_.

@@ -17,9 +17,9 @@ ArrangedLoop segment(const Point2 &from, const Point2 &to, int32_t owner, bool i
 }
 
 bool is_rounding(const Covering &covering, const Joint &joint) noexcept {
-    constexpr double rounding = 0x1p-40; // of a period
-    return std::abs(joint.to[0] - joint.from[0]) <= rounding * covering.period(0) &&
-           std::abs(joint.to[1] - joint.from[1]) <= rounding * covering.period(1);
+    constexpr double rounding = 0x1p-40; // of the reach of an axis
+    return std::abs(joint.to[0] - joint.from[0]) <= rounding * covering.reach(0) &&
+           std::abs(joint.to[1] - joint.from[1]) <= rounding * covering.reach(1);
 }
 
 // The end of the domain that a part lies along: 0 for the lower end of the axis, 1 for the upper one.

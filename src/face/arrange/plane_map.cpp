@@ -14,7 +14,8 @@ SplinePtr PlaneMap::image(const Spline &curve) const {
 }
 
 std::optional<PlaneMap> plane_map(const Spline &surface) {
-    if (surface.rational() || surface.count(0) != 2 || surface.count(1) != 2) {
+    if (surface.rational() || surface.count(0) != 2 || surface.count(1) != 2 ||
+        surface.axis(0).degree() != 1 || surface.axis(1).degree() != 1) {
         return std::nullopt;
     }
     const double largest = largest_magnitude(surface.points());

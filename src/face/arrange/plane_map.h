@@ -17,8 +17,8 @@ struct PlaneMap {
     [[nodiscard]] SplinePtr image(const Spline &curve) const;
 };
 
-// Of a polynomial surface of 2 x 2 control points, taken to be of degree 1, that form a parallelogram to
-// rounding; none for other surfaces.
+// Of a polynomial surface of degree 1 with 2 x 2 control points that form a parallelogram to rounding; none
+// for other surfaces.
 std::optional<PlaneMap> plane_map(const Spline &surface);
 
 } // namespace nrb::face

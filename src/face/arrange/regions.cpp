@@ -52,7 +52,7 @@ SplinePtr plane_around(const Point2 &lower, const Point2 &upper) {
 }
 
 bool is_region_plane(const Spline &surface) {
-    if (surface.dim() != 3 || surface.rational() || surface.count(0) != 2 || surface.count(1) != 2) {
+    if (surface.dim() != 3 || !plane_map(surface)) {
         return false;
     }
     const Interval x = surface.axis(0).domain(), y = surface.axis(1).domain();
@@ -77,7 +77,7 @@ public:
         : surface_(std::move(surface)), tolerance_(tolerance), near_(near), covering_(*surface_, tolerance),
           map_(plane_map(*surface_)) {}
 
-    [[nodiscard]] double extent() const noexcept { return covering_.extent(); }
+    [[nodiscard]] double reach() const noexcept { return std::max(covering_.reach(0), covering_.reach(1)); }
     void add(const FacePtr &face, int32_t owner) {
         std::ranges::move(loops_of(*face, owner), std::back_inserter(loops_));
         faces_.emplace_back(face, owner);
@@ -251,14 +251,14 @@ private:
 } // namespace
 
 std::vector<FacePtr> region_of(std::span<const SplinePtr> curves, FillRule rule, double tolerance) {
-    constexpr double rounding = 0x1p-44; // of the size of all curves: ends so near are one
+    constexpr double rounding = 0x1p-44; // of the largest coordinate or the size: ends so near are one
     check_border_curves(curves);
     const SplinePtr plane = curves.empty() ? nullptr : plane_of(curves);
     if (plane == nullptr) {
         return {};
     }
     RegionMaker maker(plane, tolerance, tolerance);
-    for (const Loop &loop : Chains(curves, tolerance + rounding * maker.extent()).loops()) {
+    for (const Loop &loop : Chains(curves, tolerance + rounding * maker.reach()).loops()) {
         maker.add(loop, 0);
     }
     return maker.make(inside_by(rule));

@@ -2,6 +2,7 @@
 #include "face/arrange/split.h"
 
 #include "base/error.h"
+#include "base/finite.h"
 #include "base/numbers.h"
 #include "face/arrange/domain_area.h"
 #include "face/arrange/edge_sides.h"
@@ -92,9 +93,16 @@ std::vector<bool> forks(const Arrangement &arrangement, const std::vector<Direct
 // Makes the coedges of the parts. Those on both sides of one run have a common edge.
 class Coedges {
 public:
-    Coedges(const Face &face, const Covering &covering, const Arrangement &arrangement, double tolerance)
+    // border: the half-edges between parts, sorted.
+    Coedges(const Face &face, const Covering &covering, const Arrangement &arrangement,
+            const std::vector<DirectedEdge> &border, double tolerance)
         : face_(face), covering_(covering), arrangement_(arrangement), tolerance_(tolerance),
-          map_(plane_map(*face.surface())) {
+          map_(plane_map(*face.surface())), shared_(arrangement.cuts().edges().size(), false) {
+        for (size_t i = 1; i < border.size(); ++i) {
+            if (border[i].edge == border[i - 1].edge) {
+                shared_[arrangement.edges()[border[i].edge].members.front().cut] = true;
+            }
+        }
         for (const Loop &loop : face.loops()) {
             for (const Coedge &coedge : loop) {
                 last_key_ = std::max(last_key_, coedge.key);
@@ -108,7 +116,7 @@ public:
         const bool keeps = given != nullptr && is_whole(arrangement_, run) && given->edge != nullptr;
         if (keeps) {
             coedge.edge = given->edge;
-            coedge.key = given->key;
+            coedge.key = key_of(*given, run);
             coedge.against = given->against != run.back;
             coedge.deviation = run.back ? std::nullopt : given->deviation;
             return coedge;
@@ -116,20 +124,31 @@ public:
         const Made &made = made_for(run, coedge, given);
         coedge.edge = made.edge;
         coedge.key = made.key;
-        coedge.against = run.back;
+        coedge.against = made.against != run.back;
         return coedge;
     }
 
 private:
     struct Made {
-        SplinePtr edge; // in the direction of the curve
+        SplinePtr edge;
         int64_t key;
+        bool against; // the curve, as the key of a coedge that stays whole says
     };
 
     // The coedge of the face that a run is a part of; null for a part of a dividing curve.
     [[nodiscard]] const Coedge *source(const Run &run) const {
         const Arrangement::Origin &own = arrangement_.origin(arrangement_.cuts().edges()[run.first]);
         return own.loop < face_.loops().size() ? &face_.loops()[own.loop][own.index] : nullptr;
+    }
+    // Of a coedge that stays whole. An edge without number gets one where parts on both sides have it, or
+    // where it runs against the loop, which only a number tells.
+    [[nodiscard]] int64_t key_of(const Coedge &given, const Run &run) {
+        if (given.key != 0 || !(shared_[run.first] || run.back)) {
+            return given.key;
+        }
+        int64_t &key = keys_[&given];
+        key = key == 0 ? ++last_key_ : key;
+        return key;
     }
     const Made &made_for(const Run &run, const Coedge &coedge, const Coedge *given) {
         const std::pair name{std::min(run.first, run.last), std::max(run.first, run.last)};
@@ -144,18 +163,22 @@ private:
             map_ ? map_->image(*along) : edge_over(face_.surface(), covering_, along, tolerance_).curve;
         const auto &cuts = arrangement_.cuts().edges();
         const size_t from = cuts[name.first].from, to = cuts[name.second].to;
-        return made_.emplace(name, Made{snapped(snapped(edge, false, from), true, to), key}).first->second;
+        const SplinePtr own = snapped(snapped(edge, false, from), true, to);
+        const bool against = whole && given->against;
+        const Made made{against ? refine::reverse(*own, 0, false) : own, key, against};
+        return made_.emplace(name, made).first->second;
     }
     // Makes all edges that come to a node end in one point, bit for bit. Curves end there to within the
     // tolerance as the domain measures it. Since parameters may be spread unevenly in space, edges may be
     // moved by a few tolerances.
     [[nodiscard]] SplinePtr snapped(const SplinePtr &edge, bool upper, size_t node) {
-        constexpr double rounding = 0x1p-40; // of the size of the surface
+        constexpr double rounding = 0x1p-40; // of the size of the surface, or its coordinates
         auto [known, fresh] = points_.try_emplace(node);
         if (fresh) {
             known->second = point_at(*face_.surface(), covering_.in_domain(arrangement_.nodes()[node]));
         }
-        return with_end(edge, upper, known->second, std::max(rounding * covering_.extent(), 4 * tolerance_));
+        const double reach = std::max(covering_.extent(), largest_magnitude(known->second));
+        return with_end(edge, upper, known->second, std::max(rounding * reach, 4 * tolerance_));
     }
 
     const Face &face_;
@@ -163,7 +186,9 @@ private:
     const Arrangement &arrangement_;
     double tolerance_;
     std::optional<PlaneMap> map_;
+    std::vector<bool> shared_; // by cuts: whether parts on both sides have it
     int64_t last_key_ = 0;
+    std::map<const Coedge *, int64_t> keys_; // that edges without number get
     std::map<std::pair<size_t, size_t>, Made> made_;
     std::map<size_t, std::vector<double>> points_; // of nodes, in space
 };
@@ -204,7 +229,7 @@ SplitFace split_with_sides(const Face &face, std::span<const SplinePtr> curves, 
     const std::vector<DirectedEdge> border =
         between_parts(arrangement, dividing_edges(arrangement, corner.sums()), result.loose);
     const std::vector<bool> ends = forks(arrangement, border);
-    Coedges coedges(face, face.covering(), arrangement, near);
+    Coedges coedges(face, face.covering(), arrangement, border, near);
     std::vector<FacePtr> faces;
     for (const PartLoops &part : PartsWithin(arrangement, border).list(!corner.sums().empty())) {
         faces.push_back(face_of(face, arrangement, part, ends, std::max(near, face.tolerance()), coedges));

@@ -14,8 +14,9 @@ using FacePtr = std::shared_ptr<const Face>;
 
 // The connected parts into which curves divide a face. The parts of curves that lie outside the face, or
 // that end inside without dividing it, have no effect. Faces on both sides of a part of a curve have a common
-// edge in space there, with one key. Coedges that stay whole keep their edges and keys. Throws Status::gap
-// for a face with gaps, not_converged where rounding would have to decide.
+// edge in space there, with one key. Coedges that stay whole keep their edges and keys; an edge without
+// key gets one if parts on both sides have it. Throws Status::gap for a face with gaps, not_converged where
+// rounding would have to decide.
 struct SplitPart {
     FacePtr face;
     bool left = false, right = false; // whether it lies on that side of one of the curves

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "face/arrange/ways.h"
 
+#include "base/numbers.h"
 #include "eval/curve_point.h"
 #include "face/arrange/node_order.h"
 #include "refine/forms/parametrization.h"
@@ -237,7 +238,8 @@ SplinePtr curve_of(const Arrangement &arrangement, const Run &run) {
         const auto ended = [&](bool upper, size_t node) {
             Point2 end;
             eval::end_point(*part, upper, end.data());
-            return with_end(part, upper, arrangement.node_near(node, end), arrangement.rounding());
+            const Point2 at = arrangement.node_near(node, end);
+            return arrangement.is_rounding(at, end) ? with_end(part, upper, at, infinity) : part;
         };
         part = range.lower == domain.lower ? part : ended(false, cuts.lower.from);
         part = range.upper == domain.upper ? part : ended(true, cuts.upper.to);

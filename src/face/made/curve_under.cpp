@@ -9,6 +9,7 @@
 #include "face/made/curve_fit.h"
 #include "face/made/plane_chart.h"
 #include "face/made/seam_parts.h"
+#include "face/made/speeds.h"
 #include "face/trims/monotone.h"
 #include "numeric/norm.h"
 #include "refine/compose/compose.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace nrb::face {
 
@@ -290,21 +292,37 @@ std::vector<double> breaks_over_kinks(const Spline &surface, const Covering &cov
     return breaks;
 }
 
-// The breaks of an edge, and for each pole that it passes between breaks the parameter nearest to it: on the
-// other side of a pole the places of the edge are elsewhere in the domain.
+// Where an edge is nearest to a pole that it passes, each time.
+std::vector<double> places_at_pole(const Spline &edge, const std::vector<double> &pole,
+                                   const UnderRule &rule) {
+    const closest::Locator &locator = closest::locator_of(edge);
+    const int64_t budget = closest::usual_budget(edge);
+    std::vector<double> places;
+    if (locator.nearest({pole.data(), nullptr, rule.precision / 16, budget, false, true}).distance >
+        rule.tolerance) {
+        return places;
+    }
+    for (const closest::CriticalPoint &point :
+         locator.minima({pole.data(), nullptr, rule.tolerance, budget}).points) {
+        places.push_back(point.foot.params[0]);
+    }
+    return places;
+}
+
+// The breaks of an edge and, wherever it passes a pole between breaks, the parameter nearest to the pole: on
+// the other side of a pole the places of the edge are elsewhere in the domain.
 std::vector<double> breaks_over(const Covering &covering, const Spline &edge, const UnderRule &rule) {
     std::vector<double> breaks = breaks_of(edge);
     for (const std::vector<double> &pole : covering.pole_points()) {
         const auto passes = [&](double t) {
             return distance(points_at(edge, {&t, 1}).data(), pole.data(), edge.dim()) <= rule.tolerance;
         };
-        if (std::ranges::none_of(breaks, passes)) {
-            const double t = closest::locator_of(edge)
-                                 .nearest({pole.data(), nullptr, rule.precision / 16,
-                                           closest::usual_budget(edge), false, true})
-                                 .params[0];
-            if (passes(t)) {
-                breaks.insert(std::ranges::upper_bound(breaks, t), t);
+        const auto is_same = [&](double t, double u) { return passes(u) && passes(t / 2 + u / 2); };
+        for (const double t : places_at_pole(edge, pole, rule)) {
+            const auto above = std::ranges::lower_bound(breaks, t);
+            const bool inner = above != breaks.begin() && above != breaks.end();
+            if (inner && passes(t) && !is_same(t, *above) && !is_same(t, *std::prev(above))) {
+                breaks.insert(above, t);
             }
         }
     }
@@ -325,41 +343,69 @@ double composed_distance(const SplinePtr &surface, const Covering &covering, con
     return over == nullptr ? infinity : bounds::deviation(*over, edge).upper;
 }
 
-// The surface composed with the parts of a curve between seams, joined; null where that is not possible.
-SplinePtr composed_over_seams(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
+// The chart of a plane parallelogram, if an edge is in the hull of its control points: if none of these is
+// infinite or has a negative weight.
+std::optional<PlaneChart> chart_for(const Spline &surface, const Spline &edge) {
+    const bool in_hull = edge.form() != Form::homogeneous || edge.all_weights().smallest > 0;
+    return in_hull ? PlaneChart::of(surface) : std::nullopt;
+}
+
+// How far a surface moves points, at most, whose parameters move so far.
+double moved_by(const Spline &surface, const Point2 &off) {
+    if (off == Point2{}) {
+        return 0;
+    }
+    const std::array<double, 2> speeds = fastest(surface);
+    return (off[0] > 0 ? speeds[0] * off[0] : 0) + (off[1] > 0 ? speeds[1] * off[1] : 0);
+}
+
+// The surface composed with the parts of a curve between seams, joined; none where that is not possible. Its
+// distance is what setting the parts into the domain and joining them moves: each part but the first begins
+// where the one before ends. By the hull of control points the latter is a bound where weights are positive.
+std::optional<MadeCurve> composed_over_seams(const SplinePtr &surface, const Covering &covering,
+                                             const SplinePtr &curve) {
     constexpr double rounding = 0x1p-36; // of the extent of the surface: how far seams may be open
     if (!covering.closed(0) && !covering.closed(1)) {
-        return nullptr;
+        return std::nullopt;
     }
+    const SeamParts own = seam_parts(covering, curve);
     std::vector<SplinePtr> edges;
-    for (const SplinePtr &part : seam_parts(covering, curve)) {
+    for (const SplinePtr &part : own.parts) {
         edges.push_back(composed_edge(surface, covering, part));
         if (edges.back() == nullptr) {
-            return nullptr;
+            return std::nullopt;
         }
     }
     if (edges.empty()) {
-        return nullptr;
+        return std::nullopt;
     }
     const refine::Joined joined = refine::join(edges, 0, {infinity, false});
-    return joined.gap <= rounding * covering.extent() ? joined.spline : nullptr;
+    if (!(joined.gap <= rounding * covering.extent())) {
+        return std::nullopt;
+    }
+    const double distance = joined.gap + moved_by(*surface, own.off);
+    const bool bounded =
+        std::isfinite(distance) && (joined.gap == 0 || joined.spline->all_weights().smallest > 0);
+    return MadeCurve{joined.spline, distance, bounded};
 }
 
 } // namespace
 
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve) {
-    const int degrees = surface->axis(0).degree() + surface->axis(1).degree();
-    if (degrees * curve->axis(0).degree() > max_degree || !inside(covering, *curve)) {
+    if (!inside(covering, *curve)) {
         return nullptr;
     }
     const bool plain = curve->form() != Form::homogeneous && !curve->axis(0).periodic();
-    const auto chart = plain ? PlaneChart::of(*surface) : std::nullopt;
-    return chart ? chart->edge_over(*curve) : refine::compose(surface, curve);
+    if (const auto chart = plain ? PlaneChart::of(*surface) : std::nullopt) {
+        return chart->edge_over(*curve);
+    }
+    const int degrees = surface->axis(0).degree() + surface->axis(1).degree();
+    return degrees * curve->axis(0).degree() > max_degree ? nullptr : refine::compose(surface, curve);
 }
 
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
                       const UnderRule &rule, Effort &effort) {
-    if (const auto chart = PlaneChart::of(*surface)) {
+    if (const auto chart = chart_for(*surface, *edge)) {
         return chart->curve_under(*edge, rule.tolerance);
     }
     const Projection model(*surface, covering, *edge, rule, effort);
@@ -372,18 +418,17 @@ MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const 
 
 double proven_distance(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                        const Spline &edge) {
-    const auto chart = PlaneChart::of(*surface);
+    const auto chart = chart_for(*surface, edge);
     return chart ? chart->distance_between(*curve, edge) : composed_distance(surface, covering, curve, edge);
 }
 
 MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                     double tolerance) {
-    SplinePtr exact = composed_edge(surface, covering, curve);
-    if (exact == nullptr) {
-        exact = composed_over_seams(surface, covering, curve);
-    }
-    if (exact != nullptr) {
+    if (SplinePtr exact = composed_edge(surface, covering, curve)) {
         return {std::move(exact), 0, true};
+    }
+    if (auto joined = composed_over_seams(surface, covering, curve)) {
+        return *std::move(joined);
     }
     const std::vector<double> same(static_cast<size_t>(surface->dim()), 0);
     Effort effort;

@@ -33,9 +33,10 @@ struct UnderRule {
 };
 
 // The curve in the plane that covers the domain which the surface maps to an edge. On a bilinear surface that
-// is a plane parallelogram it is exact, made from the control points of the edge. On other surfaces it
-// interpolates foot points of as many places of the edge as the precision takes. Throws Status::gap if the
-// edge is farther from the surface than the tolerance, not_converged.
+// is a plane parallelogram it is exact, made from the control points of the edge, if none of these is
+// infinite or has a negative weight. Otherwise it interpolates foot points of as many places of the edge as
+// the precision takes. Throws Status::gap if the edge is farther from the surface than the tolerance,
+// not_converged.
 MadeCurve curve_under(const SplinePtr &surface, const Covering &covering, const SplinePtr &edge,
                       const UnderRule &rule, Effort &effort);
 
@@ -45,13 +46,13 @@ double proven_distance(const SplinePtr &surface, const Covering &covering, const
                        const Spline &edge);
 
 // The surface composed with a curve in its domain; on a plane parallelogram the result has the degree of the
-// curve. Null where the degree of the curve times the sum of those of the surface is above max_degree, or
+// curve. Null where the degree of the curve times the sum of those of another surface is above max_degree, or
 // where a control point of the curve is outside the domain.
 SplinePtr composed_edge(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve);
 
 // The curve in space to which the surface maps a curve in the plane that covers the domain. It is composed
-// exactly, part by part between the seams that it crosses, where composed_edge() exists for all parts; else
-// it interpolates as many places as the tolerance takes.
+// exactly, part by part between the seams that it crosses, where composed_edge() exists for all parts and
+// these meet to rounding; else it interpolates as many places as the tolerance takes.
 MadeCurve edge_over(const SplinePtr &surface, const Covering &covering, const SplinePtr &curve,
                     double tolerance);
 

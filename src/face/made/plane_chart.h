@@ -17,7 +17,8 @@ public:
 
     // The curve whose control points are those of the edge projected orthogonally to the plane, with the same
     // knots and weights. Its distance is that of the farthest control point from the plane (convex hull
-    // property). Throws Status::gap if that exceeds the tolerance.
+    // property). Throws Status::gap if that exceeds the tolerance. Precondition: no negative weights, no
+    // infinite control points.
     [[nodiscard]] MadeCurve curve_under(const Spline &edge, double tolerance) const;
     // The curve in space over a curve of the domain, from its control points, with its knots and weights.
     // Control points at corners of the domain become the corners of the surface bit for bit.

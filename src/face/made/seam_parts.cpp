@@ -24,7 +24,10 @@ std::vector<double> passages_of(const Covering &covering, const SplinePtr &curve
     append_monotone({{curve}}, 0, {0, 0}, pieces);
     for (const TrimPiece &piece : pieces.all()) {
         const bool closes = piece.range.lower == piece.range.upper; // a segment, not a part of the curve
-        for (int k = 0; k < 2 && !closes && covering.closed(k); ++k) {
+        for (int k = 0; k < 2 && !closes; ++k) {
+            if (!covering.closed(k)) {
+                continue;
+            }
             const auto at = static_cast<size_t>(k);
             const double low = covering.domain(k).lower, period = covering.period(k);
             auto copy = static_cast<int64_t>(std::ceil((piece.lower[at] - low) / period));
@@ -53,8 +56,9 @@ SplinePtr moved_back(const Covering &covering, const SplinePtr &part) {
     return inside == x ? part : refine::transform(*part, {2, 2, matrix}, move);
 }
 
-// Sets control points that are outside the domain by rounding to its ends; null if one is farther outside.
-SplinePtr set_inside(const Covering &covering, const SplinePtr &part) {
+// Sets control points that are outside the domain by rounding to its ends, and notes how far they were off;
+// null if one is farther outside.
+SplinePtr set_inside(const Covering &covering, const SplinePtr &part, Point2 &off) {
     const auto width = static_cast<size_t>(part->stored_width());
     std::vector<double> points(part->points().begin(), part->points().end());
     bool changed = false;
@@ -62,11 +66,12 @@ SplinePtr set_inside(const Covering &covering, const SplinePtr &part) {
         for (const int k : {0, 1}) {
             const auto [lower, upper] = covering.domain(k);
             const double x = part->coordinate(i, k), inside = std::clamp(x, lower, upper);
-            if (std::abs(x - inside) >
-                rounding * std::max({upper - lower, std::abs(lower), std::abs(upper)})) {
+            if (std::abs(x - inside) > rounding * covering.reach(k)) {
                 return nullptr;
             }
             if (x != inside) {
+                double &most = off[static_cast<size_t>(k)];
+                most = std::max(most, std::abs(x - inside));
                 const double weight = part->form() == Form::homogeneous ? part->weight(i) : 1;
                 points[static_cast<size_t>(i) * width + static_cast<size_t>(k)] = inside * weight;
                 changed = true;
@@ -80,15 +85,15 @@ SplinePtr set_inside(const Covering &covering, const SplinePtr &part) {
 
 } // namespace
 
-std::vector<SplinePtr> seam_parts(const Covering &covering, const SplinePtr &curve) {
+SeamParts seam_parts(const Covering &covering, const SplinePtr &curve) {
     const refine::PartedSpline parts = refine::split_axis(curve, 0, passages_of(covering, curve));
-    std::vector<SplinePtr> result;
+    SeamParts result;
     for (int64_t i = 0; i < parts.size(); ++i) {
-        const SplinePtr part = set_inside(covering, moved_back(covering, parts.part(i)));
+        const SplinePtr part = set_inside(covering, moved_back(covering, parts.part(i)), result.off);
         if (part == nullptr) {
             return {};
         }
-        result.push_back(part);
+        result.parts.push_back(part);
     }
     return result;
 }

@@ -8,8 +8,13 @@
 
 namespace nrb::face {
 
+struct SeamParts {
+    std::vector<SplinePtr> parts;
+    Point2 off{}; // how far, at most, control points were off the domain, to which they are set
+};
+
 // The parts of a curve between seams, over the same parameters, each moved into the domain by periods, with
-// its ends at seams set to these. Empty if a part is outside the domain by more than rounding.
-std::vector<SplinePtr> seam_parts(const Covering &covering, const SplinePtr &curve);
+// its ends at seams set to these. None if a part is outside the domain by more than rounding.
+SeamParts seam_parts(const Covering &covering, const SplinePtr &curve);
 
 } // namespace nrb::face

@@ -5,6 +5,7 @@
 #include "base/watch.h"
 #include "closest/closest.h"
 #include "eval/curve_point.h"
+#include "face/made/speeds.h"
 #include "face/meets/along_border.h"
 #include "face/meets/common_edges.h"
 #include "face/meets/face_regions.h"

@@ -17,10 +17,6 @@ inline constexpr double usual_margin = 1.0 / 64;
 // continued.
 SplinePtr ground_of(const Face &face, bool beyond, double margin = usual_margin);
 
-// For each axis, a bound on the speed, the magnitude of the derivative of the surface by its parameter;
-// infinite if there is none.
-std::array<double, 2> fastest(const Spline &surface);
-
 // S_u x S_v, each divided by a power of two; 0 where it is not defined. Precondition: a place of the domain.
 Vector3 surface_normal(const Spline &surface, const Point2 &at);
 

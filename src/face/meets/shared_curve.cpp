@@ -6,6 +6,7 @@
 #include "face/arrange/ways.h"
 #include "face/made/curve_under.h"
 #include "face/made/seam_parts.h"
+#include "face/made/speeds.h"
 #include "face/meets/ground.h"
 #include "refine/forms/parametrization.h"
 #include "refine/parts/cut.h"
@@ -55,7 +56,7 @@ SharedGrounds::SharedGrounds(const std::array<SplinePtr, 2> &surfaces,
       near_(std::max({tolerance, tolerances[0], tolerances[1]})) {}
 
 SharedLoop SharedGrounds::over(size_t k, const SplinePtr &curve) const {
-    std::vector<SplinePtr> parts = seam_parts(coverings_[k], refine::clamp_ends(curve, 0));
+    std::vector<SplinePtr> parts = seam_parts(coverings_[k], refine::clamp_ends(curve, 0)).parts;
     if (parts.empty()) { // the curve leaves the domain by more than rounding
         parts.push_back(refine::clamp_ends(curve, 0));
     }
@@ -78,7 +79,7 @@ void SharedGrounds::add_over(size_t k, const SplinePtr &own, SharedLoop &result)
     SharedCurve whole{space.curve, {}, space.proven ? space.distance : infinity};
     whole.on[k] = own;
     whole.on[other] = refine::clamp_ends(under.curve, 0);
-    std::vector<SplinePtr> parts = seam_parts(coverings_[other], whole.on[other]);
+    std::vector<SplinePtr> parts = seam_parts(coverings_[other], whole.on[other]).parts;
     if (parts.empty()) {
         parts.push_back(whole.on[other]);
     }

@@ -2,24 +2,32 @@
 // Curves that faces make: under edges, and over curves of the domain.
 #include "face/deviation.h"
 
+#include "eval/curve_point.h"
 #include "eval/evaluate.h"
 #include "face/made/curve_fit.h"
+#include "face/made/curve_under.h"
 #include "face_shapes.h"
+#include "numeric/norm.h"
 #include "refine/compose/compose.h"
+#include "refine/forms/transpose.h"
+#include "refine/knots/insert.h"
 #include "refine/parts/iso.h"
 #include "spline/part.h"
+#include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <tuple>
 
 namespace {
 
 using namespace nrb;
 using namespace face_shapes;
 using face::Coedge;
+using face::Covering;
 using face::Face;
 
 // The largest distance of the edge and the image of its curve at equal parameters.
@@ -180,6 +188,155 @@ TEST(MadeCurves, EdgesWithoutNumbersTurnWithTheirLoops) {
     for (const Coedge &coedge : face.loops()[0]) {
         EXPECT_FALSE(coedge.against);
         EXPECT_LE(largest_distance(face, coedge), 1e-15);
+    }
+}
+
+// The largest distance, at equal parameters, of a curve in space and the image of one in the plane that
+// covers the domain.
+double largest_distance(const Spline &surface, const Covering &covering, const Spline &curve,
+                        const Spline &space) {
+    const Interval range = curve.axis(0).domain();
+    double largest = 0;
+    for (int i = 0; i <= 1000; ++i) {
+        const double t = parameter_in(range, i / 1000.0);
+        Point2 x;
+        eval::curve_point(curve, t, false, x.data());
+        const std::vector<double> image = face::point_at(surface, covering.in_domain(x)),
+                                  point = eval::curve_point(space, t, false);
+        largest = std::max(largest, distance(image.data(), point.data(), surface.dim()));
+    }
+    return largest;
+}
+
+// A cylinder whose axis of this number is the round one. Where it closes it is open by so much.
+SplinePtr cylinder_around(int axis, double gap = 0) {
+    const SplinePtr s = cylinder();
+    std::vector<double> points(s->points().begin(), s->points().end());
+    for (size_t i = points.size() - 4; i < points.size(); i += 3) {
+        points[i] += gap;
+    }
+    const SplinePtr open =
+        make_spline(s->knot_vectors(), 3, s->form(), points, {s->weights().begin(), s->weights().end()});
+    const int32_t exchanged[] = {1, 0};
+    return axis == 0 ? open : refine::transpose(*open, exchanged);
+}
+
+// Across its seam, in shares of its domain.
+SplinePtr across(const Spline &surface, int axis, double from = 0.25, double to = 0.75) {
+    Point2 a{0.6, 0.6}, b{1.3, 1.3};
+    a[static_cast<size_t>(1 - axis)] = from;
+    b[static_cast<size_t>(1 - axis)] = to;
+    return segment(surface, a, b);
+}
+
+TEST(MadeCurves, OverSeamsAreExactWhicheverAxisCloses) {
+    for (const int axis : {0, 1}) {
+        const SplinePtr s = cylinder_around(axis), curve = across(*s, axis);
+        const Covering covering(*s, 1e-9);
+        ASSERT_TRUE(covering.closed(axis));
+        const face::MadeCurve made = face::edge_over(s, covering, curve, 1e-6);
+        EXPECT_TRUE(made.proven);
+        EXPECT_LE(made.distance, 1e-14);
+        EXPECT_LE(largest_distance(*s, covering, *curve, *made.curve), 4e-15);
+        EXPECT_EQ(made.curve->axis(0).degree(), 3);
+    }
+}
+
+// What joining the parts between seams moves, and setting them into the domain, is in the bound.
+TEST(MadeCurves, OverSeamsAreOffByWhatWasMoved) {
+    constexpr double rounding = 0x1p-50;
+    for (const int axis : {0, 1}) {
+        const SplinePtr open = cylinder_around(axis, 1e-11), whole = cylinder_around(axis);
+        for (const auto &[s, to, least] :
+             {std::tuple(open, 0.75, 9e-12), {whole, 1 + 0x1p-41, 4e-13}, {open, 1 + 0x1p-41, 9e-12}}) {
+            const Covering covering(*s, 1e-9);
+            const SplinePtr curve = across(*s, axis, 0.25, to);
+            const face::MadeCurve made = face::edge_over(s, covering, curve, 1e-6);
+            const double found = largest_distance(*s, covering, *curve, *made.curve);
+            EXPECT_GE(found, least);
+            EXPECT_TRUE(made.proven);
+            EXPECT_LE(found, made.distance + rounding);
+            EXPECT_LE(made.distance, 8 * found);
+        }
+    }
+}
+
+// A plane is mapped by its parallelogram: curves keep their degrees, however high.
+TEST(MadeCurves, OverAPlaneHaveAnyDegree) {
+    const SplinePtr s = plane(4);
+    const Covering covering(*s, 1e-9);
+    for (const int degree : {15, 16, 31}) {
+        std::vector<double> points;
+        for (int i = 0; i <= degree; ++i) {
+            points.insert(points.end(), {static_cast<double>(i) / degree, 0.5 + 0.4 * std::sin(i)});
+        }
+        const SplinePtr curve = shapes::bezier(2, points);
+        const face::MadeCurve made = face::edge_over(s, covering, curve, 1e-6);
+        EXPECT_TRUE(made.proven);
+        EXPECT_EQ(made.distance, 0);
+        EXPECT_EQ(made.curve->axis(0).degree(), degree);
+        EXPECT_LE(largest_distance(*s, covering, *curve, *made.curve), 4e-15);
+    }
+}
+
+// Where weights are negative, curves leave the hull of their control points.
+TEST(MadeCurves, UnderEdgesOfNegativeWeightsOnAPlane) {
+    constexpr double off = 1e-3, precision = 1e-6;
+    const SplinePtr s = plane(8);
+    const Covering covering(*s, 1e-9);
+    const double w = -0.9; // (1 w 1), so that the middle is off the plane by 9 times as much as the point
+    const SplinePtr edge = make_spline({shapes::bezier_axis(2)}, 3, Form::homogeneous,
+                                       {3, 4, 0, 1, 4 * w, 4 * w, off * w, w, 5, 4, 0, 1});
+    face::Effort effort;
+    effort.allow(*edge);
+    const face::MadeCurve made = face::curve_under(s, covering, edge, {10 * off, precision, true}, effort);
+    const double found = largest_distance(*s, covering, *made.curve, *edge);
+    EXPECT_GE(found, 8.9 * off);
+    EXPECT_TRUE(made.proven);
+    EXPECT_LE(found, made.distance + 1e-15);
+    EXPECT_LE(made.distance, 1.25 * (9 * off + 2 * precision)); // as close as deviation() looks
+    EXPECT_EQ(face::proven_distance(s, covering, made.curve, *edge), made.distance);
+    face::Effort more;
+    EXPECT_THROW(face::curve_under(s, covering, edge, {8 * off, precision, true}, more), Error);
+}
+
+// A disc around its pole.
+SplinePtr disc() {
+    const SplinePtr s = cylinder();
+    std::vector<double> points;
+    for (int64_t i = 0; i < s->point_count(); ++i) {
+        const double radius = i % 2 == 0 ? 1 : 0;
+        points.insert(points.end(), {radius * s->coordinate(i, 0), radius * s->coordinate(i, 1), 0});
+    }
+    return make_spline(s->knot_vectors(), 3, s->form(), points, {s->weights().begin(), s->weights().end()});
+}
+
+// The cubic (x (r^2 - 1), y r (r^2 - 1)), which passes the origin at r = -1 and 1, for |r| <= 1.4.
+SplinePtr knot_at_origin(double x, double y) {
+    constexpr double reach = 1.4;
+    std::vector<double> points;
+    for (int i = 0; i < 4; ++i) {
+        const double a = i > 2 ? reach : -reach, b = i > 1 ? reach : -reach, c = i > 0 ? reach : -reach;
+        points.insert(points.end(),
+                      {x * ((a * b + b * c + c * a) / 3 - 1), y * (a * b * c - (a + b + c) / 3), 0});
+    }
+    return shapes::bezier(3, points);
+}
+
+TEST(MadeCurves, UnderEdgesThatPassAPoleTwice) {
+    const SplinePtr s = disc();
+    const Covering covering(*s, 1e-9);
+    ASSERT_TRUE(covering.has_poles());
+    for (const bool halved : {false, true}) { // with a break at one of the passages
+        SplinePtr edge = knot_at_origin(0.5, 0.3);
+        if (halved) {
+            edge = refine::insert_knot(edge, 0, (1 + 1 / 1.4) / 2, 3);
+        }
+        face::Effort effort;
+        effort.allow(*edge);
+        const face::MadeCurve made = face::curve_under(s, covering, edge, {1e-6, 1e-6, false}, effort);
+        EXPECT_LE(largest_distance(*s, covering, *made.curve, *edge), 2e-6);
+        EXPECT_LE(made.curve->point_count(), 200);
     }
 }
 
