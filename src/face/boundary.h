@@ -15,7 +15,7 @@ struct BoundaryCurve {
     bool at_end = false; // of the domain, where no loop runs
 };
 
-// Of the loops, of segments that close gaps, and of ends of the domain without a curve. Loops that run over seams are in pieces,
+// Of the loops, of segments that close gaps, and of ends of the domain without a curve. What runs over seams is in pieces,
 // each in one copy of the domain.
 std::vector<BoundaryCurve> boundary_curves(const Face &face);
 
