@@ -8364,9 +8364,12 @@ NURBS_API nurbs_status nurbs_model_create(int64_t count, const nurbs_face *const
  * Pieces between the same vertices are one edge if each is proven to lie within the tolerance of the other,
  * and so are their ends. Distances are measured at equal parameters, else at those of nearest points, else as
  * the two-sided Hausdorff distance. If the distance of two curves is below the tolerance by less than a
- * thousandth of it, this may stay undecided; then they are not one edge. There is no limit to the number of
- * faces at an edge. Where not all pieces are within the tolerance of each other, the one that most others are
- * near gathers these others, so that the order of the faces does not change any count.
+ * thousandth of it, this may stay undecided; then they are not one edge. What a surface makes of a curve can
+ * be proven only where nurbs_face_edge() composes it; where it is a curve through places, the largest error
+ * seen between these counts instead, and nurbs_model_edge_gaps() tells that the gap is not proven. There is
+ * no limit to the number of faces at an edge. Where not all pieces are within the tolerance of each other,
+ * the one that most others are near gathers these others, and of several such pieces the one whose middle has
+ * the least coordinates, so that the order of the faces does not change any count.
  *
  * **Nothing is moved.** The curve of an edge is one of the pieces: that of the first face, where there are
  * two. How far the others are from it is in nurbs_face_deviation(), and in nurbs_model_edge_gaps(), together
@@ -8667,6 +8670,8 @@ NURBS_API nurbs_status nurbs_model_ray_hits_with(const nurbs_model *model, const
  * A ray from a point inside a solid leaves it once more than it enters it. Up to 16 directions are tried, one
  * after the other, until the hits on all faces are proven, none of them is near an edge, where faces may
  * leave a gap as wide as their tolerances and nurbs_face_deviation() say, and none is at the point itself.
+ * Where nurbs_face_deviation() proves nothing, the gap is taken to be as wide as boxes around small parts of
+ * the curves allow, mostly about a hundredth of the size of the face: points nearer to an edge are undecided.
  * Solids are those that the file states, in each instance of their part, with their voids; the faces of an
  * instance that bound none of them are taken to bound one together. A point in several of them is inside.
  * \param[in] model a model.
@@ -8810,9 +8815,9 @@ NURBS_API nurbs_status nurbs_model_sections_with(const nurbs_model *model, int64
  * distance is no more than twice what the tolerances of the faces and the given one allow, divided by the
  * sine of the angle, of at least 1/256, between edge and surface. An end on a shared edge without a next
  * branch is a node UNDECIDED; at edges of one use, or of more than two, it is a node BORDER. Nothing is
- * joined merely because it is near. A curve that runs along borders of both faces from end to end, and
- * continues in nothing, is an edge that both models have: a branch EDGE, which ends in nodes BORDER, for each
- * pair of the faces beside it.
+ * joined merely because it is near. A curve that runs along borders of both faces from end to end, and at
+ * one end at least continues in nothing, is an edge that both models have: a branch EDGE for each pair of the
+ * faces beside it, which ends in a node BORDER where it continues in nothing.
  *
  * Costs: those of nurbs_surface_intersections() for pairs of faces that come near, each restricted to a
  * little more than the face.

@@ -2,6 +2,7 @@
 #include "face/boundary.h"
 
 #include "build/polylines.h"
+#include "face/made/seam_parts.h"
 #include "face/open_ends.h"
 
 #include <algorithm>
@@ -36,11 +37,27 @@ BoundaryCurve boundary_curve(const Face &face, SplinePtr plane, int32_t loop) {
     return {std::move(plane), std::move(space), loop};
 }
 
-// Moved into the copy of the domain in which it begins.
-BoundaryCurve segment(const Face &face, const Point2 &start, const Point2 &end) {
+// In the copy of the domain in which it begins.
+SplinePtr line_between(const Face &face, const Point2 &start, const Point2 &end) {
     const Point2 from = face.covering().in_domain(start),
                  to{end[0] + (from[0] - start[0]), end[1] + (from[1] - start[1])};
-    return boundary_curve(face, build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1}), -1);
+    return build::polyline(2, {from[0], from[1], to[0], to[1]}, {0, 1});
+}
+
+BoundaryCurve segment(const Face &face, const Point2 &start, const Point2 &end) {
+    return boundary_curve(face, line_between(face, start, end), -1);
+}
+
+// The segment that closes a gap, in pieces between the seams that it crosses; whole if it leaves the domain.
+void append_joint(const Face &face, const Joint &joint, std::vector<BoundaryCurve> &curves) {
+    const SplinePtr line = line_between(face, joint.from, joint.to);
+    std::vector<SplinePtr> parts = seam_parts(face.covering(), line).parts;
+    if (parts.empty()) {
+        parts.push_back(line);
+    }
+    for (SplinePtr &part : parts) {
+        curves.push_back(boundary_curve(face, std::move(part), -1));
+    }
 }
 
 std::vector<BoundaryCurve> curves_of_loop(const Face &face, int32_t number) {
@@ -69,7 +86,7 @@ std::vector<BoundaryCurve> boundary_curves(const Face &face) {
         std::ranges::move(curves_of_loop(face, i), std::back_inserter(curves));
     }
     for (const Joint &joint : face.joints()) {
-        curves.push_back(segment(face, joint.from, joint.to));
+        append_joint(face, joint, curves);
     }
     for (const EndPart &part : open_ends(face)) {
         curves.push_back(segment(face, part.from, part.to));

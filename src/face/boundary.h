@@ -17,8 +17,8 @@ struct BoundaryCurve {
 };
 
 // The curves of the loops, segments that close gaps, and the parts of the ends of the domain that bound the
-// face without a curve. A loop with a curve that cannot be composed, as where it crosses a seam, is divided
-// into its monotone pieces, each of which lies in one copy of the domain.
+// face without a curve. What crosses a seam is divided into pieces, each of which lies in one copy of the
+// domain.
 std::vector<BoundaryCurve> boundary_curves(const Face &face);
 
 // The seams at which the domain closes up, whether the face has curves there or not.

@@ -60,16 +60,18 @@ private:
         }
         std::vector<Known> &known = edges_[coedge.key];
         double least = HUGE_VAL;
+        int64_t nearest = -1;
         // Faces of one model follow each other, so that the latest edge is the likeliest.
         for (auto edge = known.rbegin(); edge != known.rend(); ++edge) {
             const double apart = distance_from(*edge, curve, face.tolerance());
             if (apart == 0) {
                 return edge->number;
             }
+            nearest = apart < least ? edge->number : nearest;
             least = std::min(least, apart);
         }
-        if (!known.empty()) {
-            tell(coedge.key, use, least);
+        if (nearest >= 0) {
+            tell(coedge.key, use, model_.edges[static_cast<size_t>(nearest)].uses.front(), least);
         }
         known.push_back({new_edge(std::move(curve)), face.tolerance()});
         return known.back().number;
@@ -90,11 +92,10 @@ private:
     }
 
     // Faces from several models may have equal keys by chance.
-    void tell(int64_t key, const EdgeUse &use, double apart) {
-        const EdgeUse &first = model_.edges[static_cast<size_t>(edges_[key].front().number)].uses.front();
+    void tell(int64_t key, const EdgeUse &use, const EdgeUse &nearest, double apart) {
         model_.notes.push_back({0, 0, Status::gap,
                                 "the edge of " + words(use) + " has the key " + std::to_string(key) + " of " +
-                                    words(first) + " but is " + Number(apart).text +
+                                    words(nearest) + " but is " + Number(apart).text +
                                     " from that edge: each has its own"});
     }
 

@@ -202,6 +202,33 @@ static void equal_keys_of_other_edges(void) {
     nurbs_list_destroy(list);
 }
 
+/* Of several edges with the key, the note is about the nearest one. */
+static void equal_keys_of_near_edges(void) {
+    nurbs *surface = plane(), *curves[] = {square(0.125, 0.875), square(0.25, 0.5), square(0.25, 0.501)};
+    nurbs_face *faces[3] = {NULL, NULL, NULL};
+    for (int i = 0; i < 3; ++i) {
+        CHECK_OK(nurbs_face_create(surface, 1, SIZES(1), CURVES(curves[i]), NULL, SIZES(7), 1e-6, 0, NULL,
+                                   &faces[i]));
+        nurbs_destroy(curves[i]);
+    }
+    nurbs_destroy(surface);
+    nurbs_model *model = NULL;
+    nurbs_list *list = NULL;
+    int64_t count = 0;
+    char text[200] = "";
+    CHECK_OK(nurbs_model_create(3, (const nurbs_face *const *)faces, 0, &model));
+    for (int i = 0; i < 3; ++i) {
+        nurbs_face_destroy(faces[i]);
+    }
+    CHECK_OK(nurbs_model_splines(model, &list));
+    nurbs_model_destroy(model);
+    CHECK_OK(nurbs_list_note_count(list, &count));
+    CHECK_INT(count, 2);
+    CHECK_OK(nurbs_list_note(list, 1, NULL, NULL, NULL, text, (int64_t)sizeof text, NULL));
+    CHECK(strstr(text, "of face 2 has the key 7 of curve 0 of loop 0 of face 1 but is ") != NULL);
+    nurbs_list_destroy(list);
+}
+
 /* In models of files the key is the index of the edge + 1. Both loops run along the circle, for the disk is against
  * its plane. */
 static void keys_name_edges(const nurbs_model *model) {
@@ -362,6 +389,7 @@ int main(void) {
     one_part();
     edges_without_keys();
     equal_keys_of_other_edges();
+    equal_keys_of_near_edges();
     tolerances();
     files(path);
     (void)remove(path);

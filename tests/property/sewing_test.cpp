@@ -594,6 +594,48 @@ TEST(Sewing, AnEdgeMayHaveManyFaces) {
     EXPECT_EQ(uses_of(model.get()), (std::vector<int64_t>{0, 9, 0, 1}));
 }
 
+// Each of five parallel sides is near its neighbours only. One edge less is made where the second of them gathers its neighbours
+// than where the third one does.
+TEST(Sewing, TheOrderOfAChainDoesNotMatter) {
+    constexpr double tolerance = 1e-3;
+    std::vector<size_t> order{0, 1, 2, 3, 4};
+    std::set<std::vector<int64_t>> found;
+    do {
+        Patches patches;
+        for (const size_t i : order) {
+            const auto k = static_cast<double>(i);
+            patches.push_back(
+                solids::plane({0, 0.8 * tolerance * k, 0}, {1, 0, 0}, {0, std::cos(k), std::sin(k)}));
+        }
+        found.insert(uses_of(sewn(faces_of(patches), tolerance).get()));
+    } while (std::ranges::next_permutation(order).found);
+    EXPECT_EQ(found, (std::set<std::vector<int64_t>>{{0, 15, 1, 1}}));
+}
+
+// On a surface of a degree so high that the image of a loop can only be fitted, which no number of places does well enough.
+TEST(Sewing, ErrorsOfImagesNameTheFace) {
+    const Handle octant = std::move(octants().front()),
+                 high = elevate(elevate(octant.get(), 0, 7).get(), 1, 7);
+    double u[2], v[2];
+    require_ok(nurbs_domain(high.get(), 0, u));
+    require_ok(nurbs_domain(high.get(), 1, v));
+    const double middle[] = {(u[0] + u[1]) / 2, (v[0] + v[1]) / 2};
+    const Handle circle = made([&](nurbs **out) {
+        return nurbs_curve_circle(2, middle, nullptr, nullptr, (u[1] - u[0]) / 4, NURBS_ARC_QUARTERS, out);
+    });
+    const nurbs *loop[] = {circle.get()};
+    const int64_t one = 1;
+    nurbs_face *trimmed = nullptr;
+    require_ok(nurbs_face_create(high.get(), 1, &one, loop, nullptr, nullptr, 1e-9, 0, nullptr, &trimmed));
+    const Face second(trimmed), first = whole(octant);
+    const nurbs_face *given[] = {first.get(), second.get()};
+    nurbs_model *model = nullptr;
+    EXPECT_EQ(nurbs_model_sew(2, given, 1e-17, 1, &model), NURBS_ERROR_NOT_CONVERGED);
+    char text[256];
+    nurbs_last_error(text, sizeof text);
+    EXPECT_EQ(std::string(text).substr(0, 10), "faces[1]: ") << text;
+}
+
 // Curves along one another at different speeds.
 TEST(Sewing, ParametersNeedNotAgree) {
     const Handle fast = create({{2, 1},

@@ -40,6 +40,7 @@ std::vector<Solid> solids() {
     const auto cylinder = [](const Point &x) {
         return std::min({2 - std::hypot(x[0], x[1]), x[2], 5 - x[2]});
     };
+    const auto cone = [](const Point &x) { return std::min(x[2], 3 - 0.75 * x[2] - std::hypot(x[0], x[1])); };
     return {{"cube", step_cube(), [](const Point &x) { return in_cube(x, 0, 2); }},
             {"cube with voids", step_hollow_cube(),
              [](const Point &x) {
@@ -47,8 +48,8 @@ std::vector<Solid> solids() {
              }},
             {"cylinder", step_cylinder(false), cylinder},
             {"cylinder with a seam curve", step_cylinder(true), cylinder},
-            {"cone", step_cone(),
-             [](const Point &x) { return std::min(x[2], 3 - 0.75 * x[2] - std::hypot(x[0], x[1])); }},
+            {"cone", step_cone(), cone},
+            {"cone beyond its apex", step_cone(true), cone},
             {"sphere in a vertex loop", step_sphere(true), ball},
             {"sphere with its seam", step_sphere(false), ball},
             {"half a torus", step_half_torus(), [](const Point &x) {

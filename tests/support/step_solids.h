@@ -149,14 +149,16 @@ inline std::string step_cylinder(bool seam_curve) {
                     b.bounded_face(b.add("PLANE(''," + top + ")"), {{{{upper, ".T."}}}})});
 }
 
-// Base of radius 3 at z = 0, apex at z = 4, to which a seam goes.
-inline std::string step_cone() {
+// Base of radius 3 at z = 0, apex at z = 4, to which a seam goes. Its surface is that of a cone that opens downwards, or the half
+// beyond the apex of one that opens upwards.
+inline std::string step_cone(bool beyond_apex = false) {
     SolidBuilder b;
     const std::string base = b.level("0."), down = b.level("0.", "-1.");
     const std::string rim = b.vertex("3.,0.,0."), apex = b.vertex("0.,0.,4.");
     const std::string circle = b.curve_edge(rim, rim, b.circle(base, "3."));
     const std::string seam = b.curve_edge(rim, apex, b.line("3.,0.,0.", "-3.,0.,4."));
-    const std::string side = b.add("CONICAL_SURFACE(''," + down + ",3.,0.643501108793284387)");
+    const std::string side =
+        b.add("CONICAL_SURFACE(''," + (beyond_apex ? b.level("8.") : down) + ",3.,0.643501108793284387)");
     return b.solid({b.bounded_face(side, {{{{circle, ".T."}, {seam, ".T."}, {seam, ".F."}}}}),
                     b.bounded_face(b.add("PLANE(''," + base + ")"), {{{{circle, ".F."}}}}, ".F.")});
 }

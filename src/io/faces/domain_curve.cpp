@@ -24,21 +24,18 @@ constexpr double share_of_decimals = 0x1p-24;
 // The map from the parameters of a shape to those of its spline.
 class ParameterChart {
 public:
-    ParameterChart(const model::SurfaceShape &shape, const Spline &spline)
-        : spline_(spline), laws_{model::law_of(shape, 0), model::law_of(shape, 1)} {}
+    ParameterChart(const model::SurfaceShape &shape, const Spline &spline) : shape_(shape), spline_(spline) {}
 
-    [[nodiscard]] bool identity() const noexcept {
-        return laws_[0] == ParameterLaw::linear && laws_[1] == ParameterLaw::linear;
-    }
+    [[nodiscard]] bool identity() const noexcept { return is_linear(0) && is_linear(1); }
     // The spline parameter for the parameter t of axis k. Beyond the ends of an axis that makes a full turn,
     // copies of the domain follow each other.
     [[nodiscard]] double place(size_t k, double t) const noexcept {
         const KnotVector &knots = spline_.axis(static_cast<int>(k));
         const Interval domain = knots.domain();
         const double length = domain.upper - domain.lower;
-        const bool turn = laws_[k] == ParameterLaw::angle && std::abs(length - model::turn) < 1e-9;
+        const bool turn = law(k, t) == ParameterLaw::angle && std::abs(length - model::turn) < 1e-9;
         const double shift = turn ? std::floor((t - domain.lower) / length) * length : 0;
-        return model::to_spline_parameter(laws_[k], knots, t - shift) + shift;
+        return model::to_spline_parameter(law(k, t - shift), knots, t - shift) + shift;
     }
     void check(const Spline &curve) const {
         for (int64_t i = 0; i < curve.point_count(); ++i) {
@@ -59,8 +56,22 @@ public:
     }
 
 private:
+    [[nodiscard]] ParameterLaw law(size_t k, double t) const noexcept {
+        return model::law_at(shape_, static_cast<int>(k), t);
+    }
+    // Whether it is on all spans between knots.
+    [[nodiscard]] bool is_linear(size_t k) const noexcept {
+        const std::span<const double> knots = spline_.axis(static_cast<int>(k)).knots();
+        for (size_t i = 0; i + 1 < knots.size(); ++i) {
+            if (knots[i] < knots[i + 1] && law(k, knots[i] / 2 + knots[i + 1] / 2) != ParameterLaw::linear) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    const model::SurfaceShape &shape_;
     const Spline &spline_;
-    std::array<ParameterLaw, 2> laws_;
 };
 
 // Whether the curve is a single segment along one of the axes.

@@ -152,13 +152,8 @@ measure::Moments sum_of(const std::vector<Area> &areas) {
 // the part is integrated once and scaled.
 class PartArea {
 public:
-    PartArea(const Model &model, int64_t part, double relative_tolerance) : tolerance_(relative_tolerance) {
-        for (const ModelFace &face : model.faces) {
-            if (face.part == part) {
-                faces_.push_back(face.face);
-            }
-        }
-    }
+    PartArea(std::vector<face::FacePtr> &&faces, double relative_tolerance)
+        : tolerance_(relative_tolerance), faces_(std::move(faces)) {}
     Area in(const Placement &placement) {
         if (!placement.keeps_ratios()) {
             return area_of(&placement);
@@ -191,10 +186,14 @@ private:
 measure::Moments area(const Model &model, double relative_tolerance) {
     const std::vector<Instance> instances = instances_of(model);
     const std::vector<std::vector<size_t>> of_part = instances_by_part(model, instances);
+    std::vector<std::vector<face::FacePtr>> faces(model.parts.size());
+    for (const ModelFace &face : model.faces) {
+        faces[static_cast<size_t>(face.part)].push_back(face.face);
+    }
     std::vector<Area> areas;
     Steps steps(std::ssize(of_part));
     for (size_t part = 0; part < of_part.size(); ++part, steps.next()) {
-        PartArea own(model, static_cast<int64_t>(part), relative_tolerance);
+        PartArea own(std::move(faces[part]), relative_tolerance);
         for (const size_t i : of_part[part]) {
             if (!own.empty()) {
                 areas.push_back(own.in(Placement(instances, i)));

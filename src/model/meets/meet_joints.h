@@ -23,7 +23,7 @@ struct FacePair {
 // both models cross, on the other face of each. Of the pairs of an end and a beginning the nearest are joined
 // first; their distance must be within what the tolerances and the angle between edge and surface allow. An
 // end on a shared edge that finds no continuation becomes an undecided node, unless its branch runs along the
-// borders of both faces: then the branch is an edge of both models.
+// borders of both faces: then the branch is an edge of both models, even if its other end was joined.
 class MeetJoints {
 public:
     // of_branches: for each branch, the faces on which it lies.

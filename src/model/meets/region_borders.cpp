@@ -59,6 +59,17 @@ private:
     Borders of_a_, of_b_;
 };
 
+// What continued in a branch that is dropped ends where that began.
+void forget_nodes_of(const MeetBranch &dropped, intersect::Meet &meet) {
+    for (const int64_t own : dropped.nodes) {
+        const int64_t next = own < 0 ? -1 : meet.nodes[static_cast<size_t>(own)].next;
+        if (next >= 0) {
+            meet.nodes[static_cast<size_t>(next)].next = -1;
+            meet.nodes[static_cast<size_t>(next)].gap = 0;
+        }
+    }
+}
+
 } // namespace
 
 void drop_along_regions(double tolerance, std::vector<FacePair> &of_branches, intersect::Meet &meet) {
@@ -71,7 +82,9 @@ void drop_along_regions(double tolerance, std::vector<FacePair> &of_branches, in
                        borders.hold(of_branches[i], meet.branches[i]));
     }
     for (size_t i = 0; i < goes.size(); ++i) {
-        if (!goes[i]) {
+        if (goes[i]) {
+            forget_nodes_of(meet.branches[i], meet);
+        } else {
             faces.push_back(of_branches[i]);
             kept.push_back(std::move(meet.branches[i]));
         }

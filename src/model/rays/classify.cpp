@@ -56,12 +56,13 @@ Side Classifier::nearness(const Vector3 &x, const PlacedFace &placed) {
     const Vector3 local = placement.moved(x);
     const double error = placement.error(x), at[] = {local.x, local.y, local.z};
     const double far = placement.growth_to_part() * tolerance_ + error,
-                 near = tolerance_ / placement.growth_to_whole() - error;
-    const closest::Foot foot = locator(placed.face).nearest(at, precision(), far).foot;
+                 near = tolerance_ / placement.growth_to_whole() - error,
+                 precision = tolerance_ / (1024 * placement.growth_to_whole());
+    const closest::Foot foot = locator(placed.face).nearest(at, precision, far).foot;
     const bool certified = (foot.status & closest::closest_certified) != 0;
-    return certified && foot.distance - precision() - foot.noise > far ? side_outside
-           : foot.distance + foot.noise <= near                        ? side_on
-                                                                       : side_undecided;
+    return certified && foot.distance - precision - foot.noise > far ? side_outside
+           : foot.distance + foot.noise <= near                      ? side_on
+                                                                     : side_undecided;
 }
 
 face::FaceLocator &Classifier::locator(int64_t face) {

@@ -30,16 +30,22 @@ Rows product(const Rows &a, const Rows &b) noexcept {
     return c;
 }
 
+double largest_of(const Matrix &m) noexcept {
+    double largest = 0;
+    for (const auto &row : m) {
+        for (const double x : row) {
+            largest = std::max(largest, std::abs(x));
+        }
+    }
+    return largest;
+}
+
 // A bound of the spectral norm of M, the largest factor by which lengths grow: the root of the largest
 // absolute row sum of M^T M, which bounds its largest eigenvalue. For a similarity it is the scale, to
 // rounding.
 double growth_of(const Matrix &m) noexcept {
-    double scale = 0, most = 0;
-    for (const auto &row : m) {
-        for (const double x : row) {
-            scale = std::max(scale, std::abs(x));
-        }
-    }
+    const double scale = largest_of(m);
+    double most = 0;
     for (size_t i = 0; i < 3; ++i) {
         double sum = 0;
         for (size_t j = 0; j < 3; ++j) {
@@ -58,6 +64,15 @@ Matrix matrix_of(const Rows &rows) noexcept {
     Matrix m{};
     for (size_t i = 0; i < 3; ++i) {
         std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(4 * i), 3, m[i].begin());
+    }
+    return m;
+}
+
+Matrix times_power(Matrix m, int exponent) noexcept {
+    for (auto &row : m) {
+        for (double &x : row) {
+            x = std::ldexp(x, exponent);
+        }
     }
     return m;
 }
@@ -126,8 +141,11 @@ Placement::Placement(const std::vector<Instance> &instances, size_t index)
         return;
     }
     const Matrix m = matrix_of(placement_);
-    inverse_ = inverse_of(m);
-    mirrors_ = determinant_of(m) < 0;
+    int exponent = 0;
+    std::frexp(largest_of(m), &exponent);
+    const Matrix about_one = times_power(m, -exponent); // with a determinant that is representable
+    inverse_ = times_power(inverse_of(about_one), -exponent);
+    mirrors_ = determinant_of(about_one) < 0;
     norm_ = growth_of(m);
     inverse_norm_ = growth_of(inverse_);
     const double condition = norm_ * inverse_norm_;

@@ -3,6 +3,7 @@
 
 #include "base/watch.h"
 #include "face/deviation.h"
+#include "model/rays/boxed_distance.h"
 #include "model/rays/closed.h"
 #include "model/rays/face_place.h"
 
@@ -16,12 +17,15 @@ namespace {
 constexpr double rounding = 0x1p-44; // of composed curves, relative to the largest coordinate
 constexpr int64_t work_of_a_face = 20000;
 
-// The largest distance of a curve of the loop from its edge, which other faces may share.
-double deviation_of_loop(const face::Face &face, const face::Loop &loop) {
+// A bound of the distances of the curves of a loop from their edges, which other faces may share.
+double deviation_of_loop(const face::Face &face, int32_t number) {
+    const face::Loop &loop = face.loops()[static_cast<size_t>(number)];
     double most = 0;
-    for (const face::Coedge &coedge : loop) {
+    for (int32_t i = 0; i < static_cast<int32_t>(loop.size()); ++i) {
+        const face::Coedge &coedge = loop[static_cast<size_t>(i)];
         if (coedge.edge != nullptr) {
-            most = std::max(most, face::deviation_of(face, coedge).distance);
+            const face::Deviation own = face::deviation_of(face, coedge);
+            most = std::max(most, own.proven ? own.distance : boxed_distance(face, number, i));
         }
     }
     return most;
@@ -30,8 +34,8 @@ double deviation_of_loop(const face::Face &face, const face::Loop &loop) {
 std::vector<double> rooms_of(const face::Face &face, double tolerance, double size, bool closed) {
     const double least = 2 * tolerance + rounding * size;
     std::vector<double> rooms;
-    for (const face::Loop &loop : face.loops()) {
-        rooms.push_back(least + (closed ? deviation_of_loop(face, loop) : 0));
+    for (int32_t i = 0; i < static_cast<int32_t>(face.loops().size()); ++i) {
+        rooms.push_back(least + (closed ? deviation_of_loop(face, i) : 0));
     }
     rooms.push_back(least);
     return rooms;

@@ -34,19 +34,42 @@ std::vector<Patch> patches_of(const std::vector<face::FacePtr> &faces, double to
     return patches;
 }
 
+// All sides, in the order of patches, loops and curves.
+std::vector<Side> sides_of(const std::vector<Patch> &patches, double tolerance) {
+    std::vector<Side> sides;
+    for (size_t i = 0; i < patches.size(); ++i) {
+        named(i, [&] { append_sides(patches[i], static_cast<int64_t>(i), tolerance, sides); });
+    }
+    return sides;
+}
+
+size_t size_of(const SideCuts &all) {
+    size_t sum = 0;
+    for (const auto &own : all) {
+        sum += own.size();
+    }
+    return sum;
+}
+
+// Without the cuts that are not needed, unless longer pieces cannot be proven to match as the shorter ones
+// were: then the sides keep their cuts.
 SidePieces pieces_of(const std::vector<Side> &sides, double tolerance) {
     Corners corners(sides, tolerance);
     const SideCuts cuts = cuts_of(sides, corners, tolerance);
     SidePieces pieces(sides, cuts, corners, tolerance);
-    SideCuts needed = pieces.needed(cuts);
-    const auto size = [](const SideCuts &all) {
-        size_t sum = 0;
-        for (const auto &own : all) {
-            sum += own.size();
+    SideCuts kept = pieces.needed(cuts);
+    while (size_of(kept) < size_of(cuts)) {
+        const size_t before = size_of(kept);
+        SidePieces longer(sides, kept, corners, tolerance);
+        const std::vector<bool> fewer = longer.fewer_than(pieces, sides.size());
+        for (size_t i = 0; i < sides.size(); ++i) {
+            kept[i] = fewer[i] ? cuts[i] : kept[i];
         }
-        return sum;
-    };
-    return size(needed) == size(cuts) ? std::move(pieces) : SidePieces(sides, needed, corners, tolerance);
+        if (size_of(kept) == before) {
+            return longer;
+        }
+    }
+    return pieces;
 }
 
 // Whether a surface closes up in the same way under both coverings.

@@ -2,6 +2,7 @@
 #include "model/sewing/side_pieces.h"
 
 #include "base/watch.h"
+#include "eval/curve_point.h"
 #include "face/deviation.h"
 #include "refine/parts/cut.h"
 
@@ -11,8 +12,15 @@ namespace nrb::model {
 
 namespace {
 
-// Which of several pieces match each other. The piece with the most partners leads, so that the order of the
-// pieces matters only where several have the most.
+std::array<double, 3> middle_of(const Spline &curve) {
+    std::array<double, 3> middle{};
+    eval::curve_point(curve, parameter_in(curve.axis(0).domain(), 0.5), false, middle.data());
+    return middle;
+}
+
+// Which of several pieces match each other. The piece with the most partners leads. Where several have the
+// most, which of them leads may decide how many edges there are, and follows from where they are, so that the
+// order of the pieces does not matter.
 class MatchTable {
 public:
     explicit MatchTable(size_t count) : count_(count), found_(count * count) {}
@@ -21,16 +29,15 @@ public:
     [[nodiscard]] const std::optional<face::CurveMatch> &between(size_t a, size_t b) const noexcept {
         return found_[a * count_ + b];
     }
-    // Among the pieces not taken yet, the first one with the most partners; none if no two of them match.
-    [[nodiscard]] std::optional<size_t> leader(const std::vector<bool> &taken) const {
+    // Among the pieces not taken yet, one with the most partners; none if no two of them match. Of several
+    // with one partner each it is the first one, otherwise that with the least of `middles`.
+    [[nodiscard]] std::optional<size_t> leader(const std::vector<bool> &taken,
+                                               const std::vector<std::array<double, 3>> &middles) const {
         std::optional<size_t> best;
         int64_t most = 0;
         for (size_t i = 0; i < count_; ++i) {
-            int64_t partners = 0;
-            for (size_t j = 0; !taken[i] && j < count_; ++j) {
-                partners += !taken[j] && between(i, j) ? 1 : 0;
-            }
-            if (partners > most) {
+            const int64_t partners = taken[i] ? 0 : partners_of(i, taken);
+            if (partners > most || (partners == most && most > 1 && middles[i] < middles[*best])) {
                 most = partners;
                 best = i;
             }
@@ -39,6 +46,13 @@ public:
     }
 
 private:
+    [[nodiscard]] int64_t partners_of(size_t i, const std::vector<bool> &taken) const {
+        int64_t partners = 0;
+        for (size_t j = 0; j < count_; ++j) {
+            partners += !taken[j] && between(i, j) ? 1 : 0;
+        }
+        return partners;
+    }
     std::optional<face::CurveMatch> &at(size_t a, size_t b) noexcept { return found_[a * count_ + b]; }
 
     size_t count_;
@@ -118,8 +132,12 @@ void SidePieces::match_pieces(const std::vector<size_t> &alike, const std::vecto
             count_work(1 << 10);
         }
     }
+    std::vector<std::array<double, 3>> middles;
+    for (const size_t i : alike) {
+        middles.push_back(middle_of(*pieces_[i].image));
+    }
     std::vector<bool> taken(alike.size(), false);
-    while (const std::optional<size_t> leader = table.leader(taken)) {
+    while (const std::optional<size_t> leader = table.leader(taken, middles)) {
         taken[*leader] = true;
         for (size_t i = 0; i < alike.size(); ++i) {
             if (const auto &match = table.between(i, *leader); match && !taken[i]) {
@@ -170,6 +188,18 @@ std::vector<std::vector<SideCut>> SidePieces::needed(std::vector<std::vector<Sid
         }
     }
     return result;
+}
+
+std::vector<bool> SidePieces::fewer_than(const SidePieces &parts, size_t sides) const {
+    std::vector<bool> fewer(sides, false);
+    auto own = pieces_.begin();
+    for (const SidePiece &part : parts.pieces_) {
+        while (own->side != part.side || own->range.upper < part.range.upper) {
+            ++own;
+        }
+        fewer[part.side] = fewer[part.side] || size_of_group(*own) < parts.size_of_group(part);
+    }
+    return fewer;
 }
 
 } // namespace nrb::model

@@ -35,6 +35,9 @@ public:
     // The cuts that are needed. A cut is dropped where the pieces of one edge continue, one by one, in those
     // of another edge.
     [[nodiscard]] std::vector<std::vector<SideCut>> needed(std::vector<std::vector<SideCut>> cuts) const;
+    // For each side, whether a piece has fewer partners than one of its parts had. `parts` are pieces of the
+    // same sides, with more cuts.
+    [[nodiscard]] std::vector<bool> fewer_than(const SidePieces &parts, size_t sides) const;
 
 private:
     void add_side(const Side &side, size_t number, const std::vector<SideCut> &cuts, Corners &corners,
@@ -42,6 +45,7 @@ private:
     [[nodiscard]] std::map<std::array<size_t, 2>, std::vector<size_t>> by_ends() const;
     void match_pieces(const std::vector<size_t> &alike, const std::vector<Side> &sides, double tolerance);
     void set_members();
+    [[nodiscard]] size_t size_of_group(const SidePiece &piece) const { return members_[piece.leader].size(); }
     [[nodiscard]] std::optional<size_t> beyond(size_t piece, size_t vertex) const;
     [[nodiscard]] bool goes_on(size_t piece, size_t next, size_t vertex) const;
 

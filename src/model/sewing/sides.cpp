@@ -7,6 +7,7 @@
 #include "build/polylines.h"
 #include "eval/curve_point.h"
 #include "face/made/curve_under.h"
+#include "model/rays/face_place.h"
 #include "numeric/norm.h"
 #include "refine/forms/parametrization.h"
 #include "refine/parts/cut.h"
@@ -94,14 +95,6 @@ void set_image(const face::Face &face, double tolerance, Side &side) {
     side.off = made.distance;
 }
 
-intersect::Box3 box_of(const Spline &curve) {
-    const bounds::Box box = bounds::bounding_box(curve, whole_domain(curve), 0x1p-6);
-    intersect::Box3 result;
-    std::ranges::copy(box.lower, result.lower.begin());
-    std::ranges::copy(box.upper, result.upper.begin());
-    return result;
-}
-
 } // namespace
 
 SplinePtr curve_part(const Side &side, Interval range) {
@@ -135,22 +128,17 @@ Patch patch_of(const face::FacePtr &face, double tolerance) {
     return patch;
 }
 
-std::vector<Side> sides_of(const std::vector<Patch> &patches, double tolerance) {
-    std::vector<Side> sides;
-    for (size_t patch = 0; patch < patches.size(); ++patch) {
-        const std::vector<face::Loop> &loops = patches[patch].loops;
-        for (size_t loop = 0; loop < loops.size(); ++loop) {
-            for (size_t i = 0; i < loops[loop].size(); ++i) {
-                Side side{static_cast<int64_t>(patch), static_cast<int64_t>(loop), static_cast<int64_t>(i),
-                          loops[loop][i].curve};
-                set_image(*patches[patch].given, tolerance, side);
-                side.box = box_of(*side.image);
-                sides.push_back(std::move(side));
-                count_work(1 << 12);
-            }
+void append_sides(const Patch &patch, int64_t number, double tolerance, std::vector<Side> &sides) {
+    for (size_t loop = 0; loop < patch.loops.size(); ++loop) {
+        for (size_t i = 0; i < patch.loops[loop].size(); ++i) {
+            Side side{number, static_cast<int64_t>(loop), static_cast<int64_t>(i),
+                      patch.loops[loop][i].curve};
+            set_image(*patch.given, tolerance, side);
+            side.box = box3_of(bounds::bounding_box(*side.image, whole_domain(*side.image), 0x1p-6));
+            sides.push_back(std::move(side));
+            count_work(1 << 12);
         }
     }
-    return sides;
 }
 
 bool is_collapsed(const Spline &curve, double tolerance) {

@@ -36,7 +36,7 @@ struct StraightCurve {
 struct Side {
     int64_t patch = 0, loop = 0, index = 0;
     SplinePtr curve, image{};
-    double off = 0; // distance of `image` from the exact image, as edge_over() found it
+    double off = 0; // distance of `image` from the exact image as edge_over() found it, proven or not
     std::optional<StraightCurve> along{};
     intersect::Box3 box{}; // of the image
 };
@@ -45,8 +45,8 @@ struct Side {
 // axis is exactly along the axis, too.
 SplinePtr curve_part(const Side &side, Interval range);
 
-// All sides, in the order of patches, loops and curves.
-std::vector<Side> sides_of(const std::vector<Patch> &patches, double tolerance);
+// Appends the sides of a patch, in the order of loops and curves.
+void append_sides(const Patch &patch, int64_t number, double tolerance, std::vector<Side> &sides);
 
 // Whether it is certain that no point of a curve is farther from its start than the tolerance.
 bool is_collapsed(const Spline &curve, double tolerance);

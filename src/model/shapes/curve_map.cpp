@@ -37,8 +37,10 @@ const CurvePiece &composite_piece(const CurveShape &curve, double t, double &off
     }
 }
 
-// The law that holds at a parameter. Each piece of a composite curve has its own. Within the composite spline
-// its knots are shifted and possibly reversed, which does not change the law.
+} // namespace
+
+// Within the spline of a composite curve the knots of a piece are shifted and possibly reversed, which does
+// not change its law.
 ParameterLaw law_at(const CurveShape &curve, double t) noexcept {
     const CurveShape *at = &curve;
     while (true) {
@@ -64,8 +66,6 @@ ParameterLaw law_at(const CurveShape &curve, double t) noexcept {
         }
     }
 }
-
-} // namespace
 
 double to_spline_parameter(ParameterLaw law, const KnotVector &knots, double t) noexcept {
     const Interval piece = piece_at(knots, t);

@@ -9,6 +9,9 @@ namespace nrb::model {
 
 enum class ParameterLaw { linear, angle, hyperbolic };
 
+// The law that holds at a parameter of a curve. Each piece of a composite curve has its own.
+ParameterLaw law_at(const CurveShape &curve, double t) noexcept;
+
 // On a piece of the spline, of length d around the middle m, let s go from 0 to 1 with the parameter of the
 // spline. With x = (2 s - 1) k the parameter of the curve is
 //     angle       t = m + 2 atan x,   k = tan(d / 4)

@@ -52,15 +52,21 @@ Interval symmetric(double size) noexcept {
     return {-size, size};
 }
 
+// Of the parameters that differ from t by periods, the one in the range or, if none is, the nearest to it.
+double turned_into(Interval range, double t, double period) noexcept {
+    if (range.lower <= t && t <= range.upper) {
+        return t;
+    }
+    const double turns = std::ceil((range.lower - t) / period);
+    const double behind = t + turns * period, before = t + (turns - 1) * period;
+    return behind - range.upper < range.lower - before ? behind : before;
+}
+
 double trimmed_parameter(const CurveShape &curve, const double *point) {
     const CurvePiece &piece = curve.pieces.front();
     double t = parameter_at(*piece.curve, point);
     const double around = period(*piece.curve, 0);
-    if (around > 0 && t < piece.range.lower) {
-        // of t and t + around, the one in the range or, if neither is, the nearer one
-        const bool outside = t + around > piece.range.upper;
-        t += !outside || piece.range.lower - t > t + around - piece.range.upper ? around : 0;
-    }
+    t = around > 0 ? turned_into(piece.range, t, around) : t;
     t = std::clamp(t, piece.range.lower, piece.range.upper);
     return piece.forward ? t : -t;
 }

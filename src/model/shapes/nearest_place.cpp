@@ -10,7 +10,7 @@
 namespace nrb::model {
 namespace {
 
-// Cylindrical coordinates about the axis of a placement.
+// Cylindrical coordinates about the axis of a placement. A negative radius goes with the opposite angle.
 struct Cylindrical {
     double angle, radius, height;
 };
@@ -19,6 +19,12 @@ Cylindrical cylindrical(const build::Placement &place, const double *point) noex
     const Vector3 from = Vector3{point[0], point[1], point[2]} - place.origin;
     const double x = dot(from, place.x), y = dot(from, place.y);
     return {std::atan2(y, x), std::hypot(x, y), dot(from, place.z)};
+}
+
+// Whether a part of a surface is of that half of a cone where the radius is negative.
+bool beyond_apex(const SurfaceShape &surface, Interval heights) noexcept {
+    return surface.kind == SurfaceKind::cone &&
+           surface.sizes[0] + (heights.lower + heights.upper) / 2 * std::tan(surface.sizes[1]) < 0;
 }
 
 // The parameter v of the foot point on the profile, a line or a circle in the half-plane of the point.
@@ -59,12 +65,16 @@ face::NearestPlace nearest_place(const SurfaceShape &surface, const SplinePtr &s
     if (!is_elementary(surface)) {
         return {};
     }
-    return [surface, spline](const double *point) {
-        const Cylindrical at = cylindrical(surface.place, point);
+    const bool opposite = beyond_apex(surface, spline->axis(1).domain());
+    return [surface, spline, opposite](const double *point) {
+        Cylindrical at = cylindrical(surface.place, point);
+        if (opposite) {
+            at = {at.angle + turn / 2, -at.radius, at.height};
+        }
         face::Point2 x{at.angle, along_profile(surface, at)};
         for (const int k : {0, 1}) {
             const KnotVector &axis = spline->axis(k);
-            const ParameterLaw law = law_of(surface, k);
+            const ParameterLaw law = law_at(surface, k, axis.domain().lower);
             double &t = x[static_cast<size_t>(k)];
             t = law == ParameterLaw::angle ? angle_in(t, axis.domain())
                                            : std::clamp(t, axis.domain().lower, axis.domain().upper);

@@ -95,9 +95,16 @@ private:
         return range_near(*surface_.curve, surface_.place.origin, far * (1 + margin_));
     }
 
-    // The range of v of a cylinder, or of a cone, which ends at its apex.
+    // The range of v of a cylinder, or of a cone, which ends at its apex. If the points are beyond the apex,
+    // it is a range of the other half of the cone, where the radius is negative.
     [[nodiscard]] Interval heights(Interval all) const {
         const Interval range = replaced(endless, z_, size_, margin_);
+        const double middle = (z_.lower + z_.upper) / 2;
+        if (middle < all.lower) {
+            all = {-infinity, all.lower};
+        } else if (middle > all.upper) {
+            all = {all.upper, infinity};
+        }
         return {std::max(range.lower, all.lower), std::min(range.upper, all.upper)};
     }
 

@@ -137,16 +137,6 @@ SplinePtr trimmed_spline(const SurfaceShape &surface, const Rectangle &range) {
     return directed(surface, surface_spline(*surface.basis, range_in_basis(surface, range)));
 }
 
-ParameterLaw law_of(const CurveShape &curve) noexcept {
-    const CurveShape *at = &curve;
-    while (at->kind == CurveKind::trimmed) {
-        at = at->pieces.front().curve.get();
-    }
-    return at->kind == CurveKind::circle || at->kind == CurveKind::ellipse ? ParameterLaw::angle
-           : at->kind == CurveKind::hyperbola                              ? ParameterLaw::hyperbolic
-                                                                           : ParameterLaw::linear;
-}
-
 } // namespace
 
 Rectangle range_in_basis(const SurfaceShape &trimmed, const Rectangle &range) noexcept {
@@ -183,7 +173,7 @@ SplinePtr surface_spline(const SurfaceShape &surface, const Rectangle &range) {
     }
 }
 
-ParameterLaw law_of(const SurfaceShape &surface, int axis) noexcept {
+ParameterLaw law_at(const SurfaceShape &surface, int axis, double t) noexcept {
     switch (surface.kind) {
     case SurfaceKind::cylinder:
     case SurfaceKind::cone:
@@ -192,12 +182,13 @@ ParameterLaw law_of(const SurfaceShape &surface, int axis) noexcept {
     case SurfaceKind::torus:
         return ParameterLaw::angle;
     case SurfaceKind::revolution:
-        return axis == 0 ? ParameterLaw::angle : law_of(*surface.curve);
+        return axis == 0 ? ParameterLaw::angle : law_at(*surface.curve, t);
     case SurfaceKind::extrusion:
-        return axis == 0 ? law_of(*surface.curve) : ParameterLaw::linear;
+        return axis == 0 ? law_at(*surface.curve, t) : ParameterLaw::linear;
     case SurfaceKind::offset:
+        return law_at(*surface.basis, axis, t);
     case SurfaceKind::trimmed:
-        return law_of(*surface.basis, axis);
+        return law_at(*surface.basis, axis, (axis == 0 ? surface.u_forward : surface.v_forward) ? t : -t);
     default:
         return ParameterLaw::linear;
     }

@@ -37,7 +37,8 @@ struct SurfaceRule {
 // and Status::unsupported where these directions are not the same everywhere. Defined in made_surface.cpp.
 MadeSurface made_surface(const SurfaceShape &surface, const Rectangle &range, const SurfaceRule &rule);
 
-// The law that relates the parameters of the surface along an axis to those of its spline (curve_map.h).
-ParameterLaw law_of(const SurfaceShape &surface, int axis) noexcept;
+// The law that relates the parameters of the surface along an axis to those of its spline at a parameter of
+// the surface (curve_map.h). Only a composite profile has different ones.
+ParameterLaw law_at(const SurfaceShape &surface, int axis, double t) noexcept;
 
 } // namespace nrb::model

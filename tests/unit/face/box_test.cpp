@@ -3,6 +3,7 @@
 #include "face/face_box.h"
 
 #include "eval/evaluate.h"
+#include "face/boundary.h"
 #include "face/deviation.h"
 #include "face_shapes.h"
 #include "refine/degree/elevate.h"
@@ -129,6 +130,32 @@ TEST(FaceBox, OfEdgesThatCannotBeComposed) {
         made = std::max(made, x[2]);
     }
     EXPECT_NEAR(made, highest, 1e-5);
+}
+
+// The gap of this loop crosses the seam of the cylinder.
+TEST(BoundaryCurves, OfGapsOverASeamAreInTheDomain) {
+    const SplinePtr s = cylinder();
+    face::FaceParts parts{
+        s,
+        {loop_of({segment(*s, {0.125, 0.25}, {0.125, 0.75}), segment(*s, {0.125, 0.75}, {-0.125, 0.75}),
+                  segment(*s, {-0.125, 0.75}, {-0.125, 0.25})})},
+        1e-9};
+    parts.keep_gaps = true;
+    const Face face(parts, nullptr);
+    ASSERT_EQ(face.joints().size(), 1U);
+    const Interval u = s->axis(0).domain();
+    double width = 0;
+    for (const face::BoundaryCurve &curve : face::boundary_curves(face)) {
+        EXPECT_NE(curve.space, nullptr);
+        for (int64_t i = 0; i < curve.plane->point_count(); ++i) {
+            EXPECT_GE(curve.plane->coordinate(i, 0), u.lower);
+            EXPECT_LE(curve.plane->coordinate(i, 0), u.upper);
+        }
+        if (curve.loop < 0 && !curve.at_end) {
+            width += std::abs(curve.plane->coordinate(1, 0) - curve.plane->coordinate(0, 0));
+        }
+    }
+    EXPECT_NEAR(width, (u.upper - u.lower) / 4, 1e-14 * (u.upper - u.lower));
 }
 
 } // namespace

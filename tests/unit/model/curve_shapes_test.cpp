@@ -71,6 +71,27 @@ TEST(CurveShapes, points_of_a_curve_have_their_parameters) {
     }
 }
 
+// Whatever turn the range is in. Beside the range the nearer end counts.
+TEST(CurveShapes, points_of_an_arc_have_its_parameters) {
+    const CurveShapePtr circle = shapes()[1].second;
+    for (const Interval range : {Interval{0, 1.5}, {-1, 1}, {5, 8}, {-8, -5}, {2, 2 + turn}}) {
+        const double middle = (range.lower + range.upper) / 2, beyond = 0.05;
+        for (const auto &[at, wanted] : {std::pair(range.lower - beyond, range.lower),
+                                         {range.lower + beyond, range.lower + beyond},
+                                         {middle, middle},
+                                         {range.upper - beyond, range.upper - beyond},
+                                         {range.upper + beyond, range.upper}}) {
+            if (range.upper - range.lower > 6 && (at < range.lower || at > range.upper)) {
+                continue; // all around there is no place beside it
+            }
+            const Vector3 p = point_at(*circle, at);
+            const double point[3] = {p.x, p.y, p.z};
+            EXPECT_NEAR(parameter_at(*curve_of_piece({circle, range, true}), point), wanted, 1e-14);
+            EXPECT_NEAR(parameter_at(*curve_of_piece({circle, range, false}), point), -wanted, 1e-14);
+        }
+    }
+}
+
 TEST(CurveShapes, feet_on_an_ellipse_are_nearest) {
     const CurveShapePtr ellipse = shape(CurveKind::ellipse, 3, 0.5);
     for (int i = 0; i < 32; ++i) {

@@ -1,7 +1,9 @@
 // Meets of parts that are placed in parts, against those of the parts themselves where they are placed.
+#include "build/polylines.h"
 #include "eval/curve_point.h"
 #include "io/step/read_step.h"
 #include "model/meets/model_meets.h"
+#include "model/meets/region_borders.h"
 #include "model/rays/instances.h"
 #include "support/step_reading.h"
 #include "support/step_solids.h"
@@ -98,7 +100,43 @@ Lengths lengths_of(const intersect::Meet &meet, int64_t instance) {
     return lengths;
 }
 
+intersect::MeetBranch segment(intersect::BranchKind kind, double from, double to,
+                              std::array<int64_t, 2> nodes) {
+    intersect::MeetBranch branch{};
+    branch.kind = kind;
+    branch.space = build::polyline(3, {from, 0, 0, to, 0, 0}, {0, 1});
+    branch.nodes = nodes;
+    return branch;
+}
+
 } // namespace
+
+// Of two branches that continue in each other at a seam the one along the border of a region is dropped.
+TEST(ModelMeets, nothing_continues_in_what_only_repeats_the_border_of_a_region) {
+    using intersect::BranchKind;
+    using intersect::NodeKind;
+    intersect::Meet meet;
+    meet.branches = {segment(BranchKind::overlap, 0, 1, {-1, -1}),
+                     segment(BranchKind::crossing, 0, 1, {0, 1}),
+                     segment(BranchKind::crossing, 1, 2, {2, 3})};
+    for (const auto &[kind, next] : {std::pair(NodeKind::border, -1),
+                                     {NodeKind::seam, 2},
+                                     {NodeKind::seam, 1},
+                                     {NodeKind::border, -1}}) {
+        intersect::MeetNode node{};
+        node.kind = kind;
+        node.next = next;
+        node.gap = next < 0 ? 0 : 1e-9;
+        meet.nodes.push_back(node);
+    }
+    std::vector<FacePair> of_branches{{0, 0}, {0, 1}, {0, 1}};
+    drop_along_regions(1e-7, of_branches, meet);
+    ASSERT_EQ(meet.branches.size(), 2U);
+    EXPECT_EQ(of_branches.size(), 2U);
+    EXPECT_EQ(meet.branches[1].nodes[0], 2);
+    EXPECT_EQ(meet.nodes[2].next, -1);
+    EXPECT_EQ(meet.nodes[2].gap, 0);
+}
 
 TEST(ModelMeets, of_placed_parts_are_those_of_the_parts_where_they_stand) {
     Placements placements(11);

@@ -41,6 +41,7 @@ std::vector<Case> cases() {
     return {{"whole cylinder", shape(SurfaceKind::cylinder, 2), {{0, turn}, {-2, 2}}},
             {"part of a cylinder", shape(SurfaceKind::cylinder, 2), {{-7, -5.5}, {-2, 2}}},
             {"cone", shape(SurfaceKind::cone, 2, 0.5), {{-3, 3}, {-3, 2}}},
+            {"cone beyond its apex", shape(SurfaceKind::cone, 2, 0.5), {{-3, 3}, {-9, -5}}},
             {"sphere", shape(SurfaceKind::sphere, 2), {{0, turn}, {-turn / 4, turn / 4}}},
             {"cap of a sphere", shape(SurfaceKind::sphere, 2), {{1, 4}, {0.5, turn / 4}}},
             {"torus", shape(SurfaceKind::torus, 3, 1), {{0, turn}, {0, turn}}},

@@ -18,12 +18,19 @@ using Rows = std::array<double, 12>;
 
 inline constexpr double radius = 1.25;
 
-// A ball, and an empty part. The ball is placed in the whole once, and twice in the empty part, which is placed twice.
-inline Model balls(const std::array<Rows, 5> &placements) {
+// A ball that is placed in the whole once.
+inline Model one_ball(const Rows &placement) {
     const SplinePtr ball =
         build::sphere(build::make_placement(3, nullptr, nullptr, nullptr, "centre"), radius, 0);
     Model model =
         model_of_faces({std::make_shared<const face::Face>(face::FaceParts{ball, {}, 1e-9}, nullptr)}, 1);
+    model.uses = {{-1, 0, placement, ""}};
+    return model;
+}
+
+// A ball, and an empty part. The ball is placed in the whole once, and twice in the empty part, which is placed twice.
+inline Model balls(const std::array<Rows, 5> &placements) {
+    Model model = one_ball(placements[0]);
     model.parts.emplace_back();
     model.uses = {{-1, 0, placements[0], ""},
                   {-1, 1, placements[1], ""},

@@ -111,6 +111,36 @@ TEST(PlacedRays, sides_are_those_of_the_union) {
     EXPECT_LE(undecided, 40);
 }
 
+// What is near is told in the whole, whatever the units of the part.
+TEST(PlacedRays, sides_beside_a_part_are_clear_at_every_scale) {
+    for (const double scale : {1e-4, 1.0, 1e4}) {
+        const Rows placement{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0};
+        const Model model = one_ball(placement);
+        const double tolerance = 1e-6 * scale * radius;
+        Classifier classifier(model, tolerance);
+        for (const double beside : {-2.0, -0.5, 0.5, 2.0}) {
+            const Vector3 x = (scale * radius + beside * tolerance) * unit(Vector3{1, 2, 3});
+            EXPECT_EQ(classifier.side(x), beside < -1  ? side_inside
+                                          : beside > 1 ? side_outside
+                                                       : side_on)
+                << scale << ' ' << beside;
+        }
+    }
+}
+
+// The determinant of the matrix is not representable.
+TEST(PlacedRays, placements_may_be_as_small_or_large_as_numbers) {
+    for (const double scale : {1e-200, -1e-110, 1e110, -1e200}) {
+        const Model model = one_ball({0, scale, 0, 0, 0, 0, scale, 0, scale, 0, 0, 0});
+        const Placement placement(instances_of(model), 0);
+        EXPECT_EQ(placement.mirrors(), scale < 0);
+        EXPECT_NEAR(placement.growth_to_whole() / std::abs(scale), 1, 1e-14);
+        EXPECT_NEAR(placement.growth_to_part() * std::abs(scale), 1, 1e-14);
+        const Vector3 x = placement.moved(scale * Vector3{1, 2, 3});
+        EXPECT_NEAR(length(x - Vector3{3, 1, 2}), 0, 1e-14);
+    }
+}
+
 TEST(PlacedRays, need_placements_that_can_be_inverted) {
     Numbers random(4);
     std::array<Rows, 5> uses = placements(random, true);

@@ -118,8 +118,8 @@ TEST(SurfaceShapes, splines_are_the_surface_at_mapped_parameters) {
             for (int i = 0; i < 25; ++i) {
                 const double u = std::lerp(range.u.lower, range.u.upper, unit(random)),
                              v = std::lerp(range.v.lower, range.v.upper, unit(random));
-                const double s = to_spline_parameter(law_of(one.surface, 0), spline->axis(0), u);
-                const double t = to_spline_parameter(law_of(one.surface, 1), spline->axis(1), v);
+                const double s = to_spline_parameter(law_at(one.surface, 0, u), spline->axis(0), u);
+                const double t = to_spline_parameter(law_at(one.surface, 1, v), spline->axis(1), v);
                 expect_near(point_of(*spline, s, t), one.point(u, v), 2e-14);
             }
         }
@@ -149,6 +149,25 @@ TEST(SurfaceShapes, parts_around_points_contain_them) {
                 EXPECT_TRUE(range.v.lower < v && v < range.v.upper);
             }
             EXPECT_LT(range.v.upper - range.v.lower, 12);
+        }
+    }
+}
+
+// The apex of this cone is at -2 / tan 0.5, about -3.66.
+TEST(SurfaceShapes, cones_go_on_beyond_their_apex) {
+    const Case cone = cases()[2];
+    const double apex = -2 / std::tan(0.5);
+    for (const double nearest : {-5.0, apex}) {
+        const std::vector<Vector3> points{cone.point(0, nearest), cone.point(1, -7), cone.point(2, -6)};
+        const Rectangle range = range_around(cone.surface, points, 0x1p-6);
+        EXPECT_LT(range.v.lower, -7);
+        EXPECT_GE(range.v.lower, -8);
+        EXPECT_GE(range.v.upper, nearest);
+        EXPECT_LE(range.v.upper, apex);
+        const SplinePtr spline = surface_spline(cone.surface, range);
+        for (const double u : {0.25, 2.0, 5.0}) {
+            const double s = to_spline_parameter(law_at(cone.surface, 0, u), spline->axis(0), u);
+            expect_near(point_of(*spline, s, -6.5), cone.point(u, -6.5), 2e-14);
         }
     }
 }

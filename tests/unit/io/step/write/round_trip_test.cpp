@@ -46,6 +46,7 @@ TEST(StepRoundTrip, OfSolids) {
     expect_round_trip(step_cylinder(false));
     expect_round_trip(step_cylinder(true));
     expect_round_trip(step_cone());
+    expect_round_trip(step_cone(true));
     expect_round_trip(step_sphere(true));
     expect_round_trip(step_sphere(false));
     expect_round_trip(step_half_torus());
