@@ -4690,7 +4690,9 @@ NURBS_API nurbs_status nurbs_closest_all_with(const nurbs *g, const double *poin
  * \param[in] g a spline.
  * \param[in] point [dim] the query point x.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
- * \param[in] tolerance >= 0: points of g that are no farther apart are not distinguished.
+ * \param[in] tolerance >= 0: points of g that are no farther apart are not distinguished; of a curve, those
+ *   that follow each other along it, also across the seam of a closed one. A place where a curve crosses
+ *   itself is a point for each of its parameters.
  * \param[in] budget largest number of pieces examined, 0 for 20000.
  * \param[in] cap length of the outputs: 0, or at least the number of points.
  * \param[out] params [cap][axes] or NULL: the parameters, in rising order.
