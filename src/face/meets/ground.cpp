@@ -52,6 +52,11 @@ struct Speeds {
     double reach = 0, along = 0, weights = 0, least = infinity;
 };
 
+// A bound on the difference of two products that were rounded twice.
+double most_apart(double x, double y) noexcept {
+    return std::abs(x - y) + 2 * eps * (std::abs(x) + std::abs(y));
+}
+
 } // namespace
 
 SplinePtr ground_of(const Face &face, bool beyond, double margin) {
@@ -103,7 +108,7 @@ std::array<double, 2> fastest(const Spline &surface) {
             const double w_next = !(width > 0) ? w : surface.rational() ? surface.weight(next) : 1;
             for (int c = 0; c < 3; ++c) {
                 far = std::hypot(far, at(i, c));
-                along = width > 0 ? std::hypot(along, w_next * at(next, c) - w * at(i, c)) : along;
+                along = width > 0 ? std::hypot(along, most_apart(w_next * at(next, c), w * at(i, c))) : along;
             }
             speeds.reach = std::max(speeds.reach, far);
             if (width > 0) {
