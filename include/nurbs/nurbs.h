@@ -6128,8 +6128,8 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  *   the region and one around each hole. In the domain of a the region is on their left; in the domain of b
  *   it is on their left where the normals agree, and on their right where they are opposite. Each branch ends
  *   in the node BORDER in which the next one begins or, where a surface closes on an axis that is not
- *   periodic, in a node SEAM. Sides along which a surface closes, and poles, bound nothing: all of a closed
- *   surface has no boundary.
+ *   periodic or the next one leaves a pole at another parameter, in a node SEAM. Sides along which a surface
+ *   closes, and poles, bound nothing: all of a closed surface has no boundary.
  *
  * Of regions it is proven that each place of a in them is no farther than the tolerance from b, or that each
  * place of b in them is no farther than that from a; it is tried first from the surface of the lower degrees.
