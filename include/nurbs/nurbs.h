@@ -4690,7 +4690,9 @@ NURBS_API nurbs_status nurbs_closest_all_with(const nurbs *g, const double *poin
  * \param[in] g a spline.
  * \param[in] point [dim] the query point x.
  * \param[in] range [axes][2] or NULL for all of it: the part of the domain that is searched.
- * \param[in] tolerance >= 0: points of g that are no farther apart are not distinguished.
+ * \param[in] tolerance >= 0: points of g that are no farther apart are not distinguished; of a curve, those
+ *   that follow each other along it, also across the seam of a closed one. A place where a curve crosses
+ *   itself is a point for each of its parameters.
  * \param[in] budget largest number of pieces examined, 0 for 20000.
  * \param[in] cap length of the outputs: 0, or at least the number of points.
  * \param[out] params [cap][axes] or NULL: the parameters, in rising order.
@@ -6126,8 +6128,8 @@ NURBS_API nurbs_status nurbs_surface_level_curves_with(const nurbs *g, const nur
  *   the region and one around each hole. In the domain of a the region is on their left; in the domain of b
  *   it is on their left where the normals agree, and on their right where they are opposite. Each branch ends
  *   in the node BORDER in which the next one begins or, where a surface closes on an axis that is not
- *   periodic, in a node SEAM. Sides along which a surface closes, and poles, bound nothing: all of a closed
- *   surface has no boundary.
+ *   periodic or the next one leaves a pole at another parameter, in a node SEAM. Sides along which a surface
+ *   closes, and poles, bound nothing: all of a closed surface has no boundary.
  *
  * Of regions it is proven that each place of a in them is no farther than the tolerance from b, or that each
  * place of b in them is no farther than that from a; it is tried first from the surface of the lower degrees.

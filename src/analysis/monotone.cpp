@@ -43,10 +43,12 @@ MonotonePieces monotone_pieces(const Spline &curve, const double *direction) {
         result.complete = result.complete && !signs.doubtful;
         bool fresh = e == 0 || pieces.jump(e) > 0;
         double from = piece.parameter(0, 0);
+        const bool single = signs.runs.size() == 1; // a single hidden run is constant to rounding
         for (const SignRun &run : signs.runs) {
-            if (run.sign == 0 && !signs.nothing) { // neighbours meet at the zero or in the middle
-                result.complete = result.complete && run.simple;
-                from = piece.parameter(0, run.zero >= 0 ? run.zero : run.from / 2 + run.to / 2);
+            result.complete = result.complete && (run.sign != 0 || run.simple || signs.nothing);
+            if (run.sign == 0 && !single) { // neighbours meet at the zero or in the middle
+                const double place = run.zero >= 0 ? run.zero : run.from / 2 + run.to / 2;
+                from = fresh ? from : piece.parameter(0, place);
                 continue;
             }
             if (fresh || result.pieces.back().sign != run.sign) {

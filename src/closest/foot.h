@@ -73,7 +73,7 @@ struct Query {
     const double *point;   // [dim], finite
     const Interval *range; // [axes], within the domain; null: the whole domain
     double tolerance;      // another point may be nearer by this much
-    int64_t budget;        // most pieces examined; 0: the default, except for curves
+    int64_t budget;        // most pieces examined; 0: pieces::default_budget
     bool farthest = false; // find the farthest point instead of the nearest one
     bool alone = false;    // do not test whether other points are as near
     // Whether places of a surface or volume are also told apart by their parameters, for shapes whose sheets

@@ -37,7 +37,7 @@ public:
     // The local minimum that a descent from `guess`, a place in the domain, reaches.
     [[nodiscard]] virtual Foot local(const double *point, const double *guess) const = 0;
     // All critical points of the distance. Critical points no farther apart than query.tolerance count as
-    // one.
+    // one; of a curve, those that follow each other, so that a place where it crosses itself is two points.
     [[nodiscard]] virtual CriticalSet critical(const Query &query) const = 0;
     // The minima whose distance exceeds the smallest one by at most query.tolerance.
     [[nodiscard]] virtual CriticalSet minima(const Query &query) const = 0;

@@ -20,7 +20,7 @@ namespace nrb::closest {
 class NearPoints {
 public:
     // near: the search radius.
-    NearPoints(int dim, double near) : dim_(dim), near_(near), side_(near > 0 ? near : 1) {}
+    NearPoints(int dim, double near) : dim_(dim), near_(near), side_(near > 0 ? near + near / 16 : 1) {}
 
     void add(const double *point) {
         cubes_[key_of(cube_of(point))].push_back(std::ssize(points_) / dim_);
@@ -47,8 +47,9 @@ private:
     using Cube = std::array<double, 3>;
     static constexpr int64_t work_of_a_cube = 40, work_of_a_point = 8;
 
-    // A point within the radius lies in the cube of the place or in one of its neighbours. Where a cube is
-    // smaller than the rounding of a coordinate, the neighbours coincide with the cube itself.
+    // A point within the radius lies in the cube of the place or in one of its neighbours. Cubes are wider than
+    // the radius, so that this holds in spite of the rounding of quotients. Where a cube is smaller than the
+    // rounding of a coordinate, the neighbours coincide with the cube itself.
     [[nodiscard]] Cube cube_of(const double *point) const noexcept {
         Cube cube{};
         for (size_t c = 0; c < static_cast<size_t>(std::min(dim_, 3)); ++c) {

@@ -77,16 +77,17 @@ double distance_of_ends(const Spline &a, const Spline &b, double tolerance) {
     return std::min(distance_of_ends(x, y, false), distance_of_ends(x, y, true));
 }
 
-// The distance of one of a few sample points of a curve from another curve, if it is above the tolerance;
-// else 0.
+// A distance that one of a few sample points of a curve is proven to have from another curve, if it is above
+// the tolerance; else 0.
 double far_place(const Spline &from, const Spline &to, double tolerance) {
     for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) {
         double x[space_dim];
         eval::curve_point(from, parameter_in(from.axis(0).domain(), share), false, x);
         const closest::Foot foot = closest::locator_of(to).nearest(
             {x, nullptr, tolerance / 16, closest::usual_budget(to), false, true});
-        if (foot.distance > tolerance) {
-            return foot.distance;
+        const double at_least = foot.distance - tolerance / 16 - foot.noise;
+        if ((foot.status & closest::closest_certified) != 0 && at_least > tolerance) {
+            return at_least;
         }
     }
     return 0;

@@ -254,17 +254,25 @@ private:
             add_part(branch, part, whole, found);
         }
         if (branch.nodes[0] < 0 && !whole && !parts.empty()) {
-            join_where_cut(first);
+            const bool left = std::ranges::any_of(parts_left_out(branch), [&](const Interval &out) {
+                return out.lower == domain.lower || out.upper == domain.upper;
+            });
+            join_where_cut(first, left ? NodeKind::edge : NodeKind::border);
         }
     }
 
-    // Connects the first and the last part of a closed branch where it was cut at its start.
-    void join_where_cut(size_t first) {
+    // Connects the first and the last part of a closed branch where it was cut at its start. A part that ends
+    // there alone ends in a node of the given kind, as it does not continue.
+    void join_where_cut(size_t first, NodeKind end_kind) {
         const int64_t begin = result_.branches[first].nodes[0], end = result_.branches.back().nodes[1];
         MeetNode &a = result_.nodes[static_cast<size_t>(begin)], &b = result_.nodes[static_cast<size_t>(end)];
         if (a.kind == NodeKind::seam && b.kind == NodeKind::seam) {
             a.next = end;
             b.next = begin;
+            return;
+        }
+        for (MeetNode *node : {&a, &b}) {
+            node->kind = node->kind == NodeKind::seam ? end_kind : node->kind;
         }
     }
 

@@ -145,6 +145,29 @@ TEST(MonotonePieces, of_a_circle_and_of_stairs) {
     EXPECT_EQ(monotone(create(jump).get(), {1}).starts, (Vec{0, 1}));
 }
 
+// The first span is perpendicular to the direction but for about the rounding of its coefficients, which hides
+// all of it or a part at its start; the second span is not.
+TEST(MonotonePieces, start_with_the_curve_where_rounding_hides_its_first_span) {
+    int hidden = 0;
+    for_each_case(8150, 400, [&](Random &random, uint64_t seed) {
+        const double angle = random.between(0, 2 * pi), off = std::pow(10, random.between(-16.5, -14));
+        const Vec d{std::cos(angle), std::sin(angle)};
+        SplineData data{{3}, {7}, {{0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}}, 2, {}, {}, 0};
+        for (int i = 0; i < 7; ++i) {
+            const double across = random.between(-1, 1), along = i < 4 ? off * random.between(-1, 1) : i;
+            data.points.insert(data.points.end(),
+                               {along * d[0] - across * d[1], along * d[1] + across * d[0]});
+        }
+        const Pieces pieces = monotone(create(data).get(), d);
+        ASSERT_FALSE(pieces.starts.empty()) << where(seed, data);
+        EXPECT_EQ(pieces.starts.front(), 0) << where(seed, data);
+        EXPECT_EQ(pieces.signs.back(), 1) << where(seed, data);
+        EXPECT_LE(pieces.starts.back(), 1) << where(seed, data);
+        hidden += pieces.signs.front() == 0 ? 1 : 0;
+    });
+    EXPECT_GT(hidden, support::of_whole_run(0));
+}
+
 TEST(Convexity, known_curves) {
     for_each_case(8200, 50, [](Random &random, uint64_t seed) {
         const double a = random.between(0.1, 3),

@@ -392,6 +392,26 @@ TEST(ClosestOnCurve, the_centre_of_a_circle_has_no_one_nearest_point) {
 
 // Inside a closed curve that runs counterclockwise about the origin, with corners and without, is its left
 // side.
+// A descent that begins at one end of the domain of a periodic curve passes the seam on its way to the minimum.
+TEST(ClosestOnCurve, descents_pass_the_seam_of_a_periodic_curve) {
+    const Handle circle = made([](nurbs **out) {
+        return nurbs_curve_ellipse(2, nullptr, nullptr, nullptr, 1, 1, 0, 2 * std::numbers::pi,
+                                   NURBS_ARC_QUARTERS, out);
+    });
+    const Handle g =
+        made([&](nurbs **out) { return nurbs_make_periodic(circle.get(), 0, 1e-9, nullptr, nullptr, out); });
+    for (const double angle : {0.1, -0.1, 0.9, -0.9}) {
+        const double point[] = {3 * std::cos(angle), 3 * std::sin(angle)};
+        const double guess = angle > 0 ? 1 - 0x1p-10 : 0x1p-10;
+        double t = -1, distance = 0;
+        int32_t status = -1;
+        require_ok(nurbs_closest_local(g.get(), 1, point, 0, 0, &guess, 0, 0, &t, 0, 0, nullptr, 0, 0,
+                                       &distance, 0, &status, 0));
+        EXPECT_NEAR(distance, 2, 1e-12) << angle;
+        EXPECT_EQ(status, 0) << angle;
+    }
+}
+
 TEST(ClosestOnCurve, signed_distances_tell_inside_from_outside) {
     for_each_case(0x6007, 60, [](Random &random, uint64_t seed) {
         const int n = random.whole(3, 12), p = random.whole(1, 3);

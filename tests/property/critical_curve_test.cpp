@@ -69,6 +69,43 @@ TEST(CriticalPoints, kinks_and_middles_of_a_square) {
     EXPECT_EQ(found.params, (std::vector<double>{0, 0.625, 1, 1.5625, 2, 2.375, 3, 3.4375}));
 }
 
+// Beyond the centre of curvature of a vertex three normals have their feet near it. If the tolerance does not
+// tell these apart they are one point, on whichever side of the seam they lie.
+TEST(CriticalPoints, are_one_across_the_seam) {
+    const double center[] = {0, 0};
+    for (const double turn : {0.0, 0.5, 1.0}) {
+        const double x[] = {std::cos(turn), std::sin(turn)}; // of the longer axis
+        for (const int quarter : {0, 1, 2, 3}) {
+            const double start = quarter * std::numbers::pi / 2;
+            const Handle g = made([&](nurbs **out) {
+                return nurbs_curve_ellipse(2, center, nullptr, x, 3, 2, start, 2 * std::numbers::pi,
+                                           NURBS_ARC_QUARTERS, out);
+            });
+            const double at = 3 - 4.0 / 3 - 1e-3;
+            const std::vector<double> point{at * x[0], at * x[1]};
+            EXPECT_EQ(critical(g.get(), point).number(NURBS_CRITICAL_MINIMUM), 2) << quarter;
+            const Critical found = critical(g.get(), point, 0.5);
+            EXPECT_EQ(found.number(NURBS_CRITICAL_MINIMUM), 1) << quarter;
+            EXPECT_EQ(found.number(NURBS_CRITICAL_MAXIMUM), 1) << quarter;
+            EXPECT_EQ(found.kinds.size(), 2U) << quarter;
+            EXPECT_TRUE(std::ranges::is_sorted(found.params)) << quarter;
+        }
+    }
+}
+
+// As the tolerance is for what follows each other along the curve.
+TEST(CriticalPoints, a_crossing_is_two_points) {
+    SplineData data;
+    data.degrees = {1};
+    data.counts = {4};
+    data.dim = 2;
+    data.knots = {{0, 0, 1, 2, 3, 3}};
+    data.points = {0, 0, 2, 2, 2, 0, 0, 2};
+    const Critical found = critical(create(data).get(), {1, 1}, 1e-6);
+    EXPECT_EQ(std::ranges::count(found.distances, 0.0), 2);
+    EXPECT_NE(found.status & NURBS_CLOSEST_CERTIFIED, 0);
+}
+
 // Every event is what samples beside it say, and samples show no other change of direction.
 TEST(CriticalPoints, samples_agree) {
     int all = 0, certified = 0;

@@ -197,11 +197,11 @@ private:
     void close(const PieceEnds &last, const PieceEnds &first) {
         const Interval part = question_.part[0];
         const auto inside = std::ssize(events_);
-        const bool seam = same(part, curve_.axis(0).domain()) && !last.end.empty() && !first.start.empty() &&
-                          meet(last, first);
-        seam ? join(last, first, part.lower) : start_arc(first, part.lower);
+        closes_ = same(part, curve_.axis(0).domain()) && !last.end.empty() && !first.start.empty() &&
+                  meet(last, first);
+        closes_ ? join(last, first, part.lower) : start_arc(first, part.lower);
         std::rotate(events_.begin(), events_.begin() + inside, events_.end());
-        if (!seam) {
+        if (!closes_) {
             end_arc(last, part.upper);
         }
         std::stable_sort(events_.begin(), events_.end(),
@@ -228,8 +228,19 @@ private:
         }
     }
 
+    // Moves the events of a closed curve round until the first and the last one are not near to each other.
+    void start_apart() {
+        for (size_t i = 0; closes_ && i < events_.size(); ++i) {
+            if (!near(i > 0 ? events_[i - 1] : events_.back(), events_[i])) {
+                std::rotate(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(i), events_.end());
+                return;
+            }
+        }
+    }
+
     // Merges events that are too near to each other and makes the result.
     CriticalSet take() {
+        start_apart();
         CriticalSet set;
         bool certain = !out_of_budget_;
         for (size_t i = 0; i < events_.size(); ++i) {
@@ -243,6 +254,7 @@ private:
             Foot foot{{event.t}, event.distance, end ? closest_boundary : 0, 0, event.left ? 1u : 0u};
             set.points.push_back({foot, event.kind()});
         }
+        std::ranges::stable_sort(set.points, {}, [](const CriticalPoint &c) { return c.foot.params[0]; });
         set.status |= certain ? closest_certified : 0;
         set.status |= out_of_budget_ ? closest_budget : 0;
         return set;
@@ -258,6 +270,7 @@ private:
     pieces::PieceMaker maker_;
     int64_t examined_ = 0;
     bool out_of_budget_ = false;
+    bool closes_ = false; // the last piece continues in the first one
     std::vector<Event> events_;
 };
 

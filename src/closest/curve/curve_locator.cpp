@@ -47,7 +47,8 @@ Foot CurveLocator::nearest(const Query &query) const {
     return foot;
 }
 
-// Moves from leaf to neighbouring leaf as long as the distance decreases.
+// Moves from leaf to neighbouring leaf as long as the distance decreases; from the seam of a periodic curve to
+// its other side.
 Foot CurveLocator::local(const double *point, const double *guess) const {
     constexpr int most_leaves = 100;
     int64_t leaf = tree_.leaf_at(*guess);
@@ -55,7 +56,7 @@ Foot CurveLocator::local(const double *point, const double *guess) const {
     CurvePlace place = descend(tree_, point, leaf, (*guess - part.lower) / (part.upper - part.lower));
     for (int i = 0; i < most_leaves; ++i) {
         const bool up = place.s >= 1, down = place.s <= 0;
-        const int64_t next = up ? leaf + 1 : leaf - 1;
+        const int64_t next = up ? tree_.after(leaf) : tree_.before(leaf);
         if (!(up || down) || !tree_.joined(up ? leaf : next)) {
             return foot_of(place, nullptr);
         }
@@ -73,7 +74,7 @@ Foot CurveLocator::local(const double *point, const double *guess) const {
 
 CriticalSet CurveLocator::critical(const Query &query, double apart, double within) const {
     const Part part = query.range == nullptr ? whole_domain(curve_) : Part{*query.range};
-    return critical_points(curve_, {query.point, part, apart, query.budget, within});
+    return critical_points(curve_, {query.point, part, apart, query.most_pieces(), within});
 }
 
 CriticalSet CurveLocator::critical(const Query &query) const {

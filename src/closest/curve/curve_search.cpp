@@ -28,7 +28,7 @@ public:
           segments_(scratch_.take(static_cast<size_t>(stack_height * shape.size()))),
           binomials_(binomials(tree.degree())), sign_(query.farthest ? -1 : 1),
           margin_(std::ldexp(query.tolerance + distance_noise(tree, query.point), -tree.exponent())),
-          best_(tree, sign_, margin_) {
+          best_(tree, sign_, margin_), budget_(query.most_pieces()) {
         for (int c = 0; c < tree.dim(); ++c) {
             const double centre = tree.centre()[static_cast<size_t>(c)];
             x_[c] = std::ldexp(query.point[c] - centre, -tree.exponent());
@@ -51,7 +51,7 @@ public:
                         std::numeric_limits<double>::infinity()});
         }
         count(budget_used_ % looks_between_counts);
-        const bool certified = certified_ && tree_.sound() && budget_used_ <= query_.budget && in_range();
+        const bool certified = certified_ && tree_.sound() && budget_used_ <= budget_ && in_range();
         return {best_.best(), certified, best_.unique(), budget_used_};
     }
 
@@ -110,7 +110,7 @@ private:
         parts_[0] = load(leaf, whole);
         bool untested = !in_range();
         for (int height = 1; height > 0;) {
-            if (++budget_used_ > query_.budget || work_ended_) {
+            if (++budget_used_ > budget_ || work_ended_) {
                 certified_ = certified_ && !work_ended_;
                 return;
             }
@@ -271,7 +271,7 @@ private:
     double margin_;
     BestPlaces best_;
     bool certified_ = true, work_ended_ = work_ended();
-    int64_t budget_used_ = 0;
+    int64_t budget_, budget_used_ = 0;
     int64_t steps_ = 0; // evaluations made by minimum() since work was last counted
     int64_t leaf_ = 0;
     int current_ = 0; // index of the part that is being divided

@@ -87,7 +87,7 @@ struct CurveTree::Boxes {
 
 CurveTree::CurveTree(const Spline &curve)
     : dim_(curve.dim()), degree_(curve.axis(0).degree()), lanes_((curve.dim() + 4) / 4 * 4),
-      centre_(pieces::centre_of(curve)) {
+      periodic_(curve.axis(0).periodic()), centre_(pieces::centre_of(curve)) {
     const pieces::CentredRecords records = pieces::centred_records(
         curve, centre_, curve.rational(), curve.rational() ? pieces::weight_exponent(curve) : 0);
     pieces::BernsteinNet::Breaks breaks{refine::breaks_of(curve.axis(0)), {}, {}};
@@ -226,11 +226,11 @@ int64_t CurveTree::leaf_at(double t) const noexcept {
 }
 
 bool CurveTree::joined(int64_t leaf) const noexcept {
-    if (leaf < 0 || leaf + 1 >= leaves()) {
+    if (leaf + 1 == leaves() && !periodic_) {
         return false;
     }
     const PieceView view(records(leaf), degree_, dim_, lanes_),
-        next(records(leaf + 1), degree_, dim_, lanes_);
+        next(records(after(leaf)), degree_, dim_, lanes_);
     const double gap = norm_of(dim_, [&](int c) { return view.x(degree_, c) - next.x(0, c); });
     return gap <= std::ldexp(2 * rounding_ * std::numeric_limits<double>::epsilon() * size_, -exponent_);
 }

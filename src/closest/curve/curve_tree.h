@@ -41,8 +41,12 @@ public:
     [[nodiscard]] Interval domain(int64_t leaf) const noexcept { return domains_[static_cast<size_t>(leaf)]; }
     // The leaf that contains a parameter of the domain; the upper one where two meet.
     [[nodiscard]] int64_t leaf_at(double t) const noexcept;
-    // Whether the curve continues from a leaf to the next one without a jump; false if either does not exist.
+    // Whether the curve continues from a leaf to the next one without a jump. On a periodic curve the first
+    // leaf follows the last one; elsewhere none does.
     [[nodiscard]] bool joined(int64_t leaf) const noexcept;
+    // The leaf after a leaf, or before it, counted in circles.
+    [[nodiscard]] int64_t after(int64_t leaf) const noexcept { return leaf + 1 < leaves() ? leaf + 1 : 0; }
+    [[nodiscard]] int64_t before(int64_t leaf) const noexcept { return leaf > 0 ? leaf - 1 : leaves() - 1; }
 
     // The data of block b: start points [dim][fan], chords [dim][fan], inverse squared lengths of the chords
     // [fan] (0 if a chord vanishes), and how far each piece may be from its chord [fan] (infinite unless its
@@ -74,6 +78,7 @@ private:
     int degree_;
     int lanes_;
     int exponent_ = 0;
+    bool periodic_;
     bool sound_ = true;
     double size_ = 0;
     double rounding_ = 0;

@@ -10,15 +10,21 @@ namespace nrb::face {
 
 namespace {
 
-// Of control points with their weights around a centre, of the derivative along an axis and of the weights'
-// one.
+// Bounds for one axis: the distance of control points from a centre, the magnitudes of the derivatives of
+// homogeneous points and of weights, and the least weight.
 struct Speeds {
     double reach = 0, along = 0, weights = 0, least = infinity;
 };
 
+// A bound on the difference of two products that were rounded twice.
+double most_apart(double x, double y) noexcept {
+    return std::abs(x - y) + 2 * eps * (std::abs(x) + std::abs(y));
+}
+
 } // namespace
 
-// Of (P / w)' = (P' - (P / w) w') / w around a centre, by the hulls of P', w' and w.
+// By (P / w)' = (P' - (P / w) w') / w, where P are homogeneous points relative to a centre, and the convex
+// hulls of P', w' and w.
 std::array<double, 2> fastest(const Spline &surface) {
     std::array<double, 2> bound{};
     const int64_t columns = surface.count(1);
@@ -41,7 +47,7 @@ std::array<double, 2> fastest(const Spline &surface) {
             const double w_next = !(width > 0) ? w : surface.rational() ? surface.weight(next) : 1;
             for (int c = 0; c < surface.dim(); ++c) {
                 far = std::hypot(far, at(i, c));
-                along = width > 0 ? std::hypot(along, w_next * at(next, c) - w * at(i, c)) : along;
+                along = width > 0 ? std::hypot(along, most_apart(w_next * at(next, c), w * at(i, c))) : along;
             }
             speeds.reach = std::max(speeds.reach, far);
             if (width > 0) {

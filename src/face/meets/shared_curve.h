@@ -55,7 +55,7 @@ private:
 };
 
 // Whether a curve begins at another place of one of the domains than the one before it ends, as in another
-// copy.
+// copy. A pole is passed like a seam: there, too, one point has places with different parameters.
 bool passes_seam(const SharedCurve &before, const SharedCurve &after);
 
 } // namespace nrb::face

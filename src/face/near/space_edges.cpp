@@ -11,10 +11,11 @@
 namespace nrb::face {
 
 double SpaceEdge::distance(const double *box_lower, const double *box_upper) const noexcept {
-    return norm_of(static_cast<int>(lower.size()), [&](int c) {
+    const double computed = norm_of(static_cast<int>(lower.size()), [&](int c) {
         const auto at = static_cast<size_t>(c);
         return std::max({lower[at] - box_upper[c], box_lower[c] - upper[at], 0.0});
     });
+    return computed * (1 - 16 * eps);
 }
 
 namespace {

@@ -12,7 +12,7 @@ struct SpaceEdge {
     BoundaryCurve curve;              // with a curve in space
     std::vector<double> lower, upper; // its box
 
-    // A lower bound, to rounding, on the distance from a box [dim].
+    // A lower bound on the distance from a box [dim].
     [[nodiscard]] double distance(const double *box_lower, const double *box_upper) const noexcept;
 };
 

@@ -201,7 +201,10 @@ double rough_length(const SpeedPieces &pieces) {
     return length;
 }
 
-// The ratio of the largest to the smallest weight, at most 64.
+// How much weights may increase the rounding of the length: the ratio of the largest to the smallest one, at
+// most 64. The rounding of weighted coefficients changes the speed by a multiple of w_0 w_1 / w^2. Because
+// w = (1 - t) w_0 + t w_1, that is at most 1 / (4 t (1 - t)), so that its integral grows no faster than the
+// logarithm of the ratio.
 double weight_ratio(const double *weights, int degree) noexcept {
     double least = degree < 0 ? 1 : std::abs(weights[0]), most = least;
     for (int i = 1; i <= degree; ++i) {
@@ -240,7 +243,8 @@ SpeedPieces::SpeedPieces(const Spline &curve, Interval range) {
     }
 }
 
-// Every point of the piece has an error of (3 p + 2) eps of the spread, and a difference has twice that.
+// Every point of the piece has an error within (3 p + 2) eps of the spread, and a difference twice that. Most
+// errors are far smaller, so that their sum over the piece is taken to be no larger.
 void SpeedPieces::add_piece(const Element &element, int degree) {
     const int p = degree;
     const size_t start = nets_.size();

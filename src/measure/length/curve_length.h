@@ -33,7 +33,7 @@ public:
     [[nodiscard]] Interval interval(int64_t piece) const noexcept {
         return intervals_[static_cast<size_t>(piece)];
     }
-    // A bound on the rounding of the length of all pieces.
+    // A generous estimate of the rounding of the length of all pieces.
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
     // Lengths here times 2^exponent are lengths of the model.
     [[nodiscard]] int exponent() const noexcept { return exponent_; }

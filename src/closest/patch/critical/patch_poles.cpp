@@ -152,9 +152,8 @@ bool PatchPoles::proven(const std::vector<int64_t> &pieces, const Pole &pole) co
                    query_.items().part(query_.piece_in_range(piece), pole.axis, upper ? 1 - pole.height : 0,
                                        upper ? 1 : pole.height);
                const PatchSlopes slopes(shape, squares, strip.values, strip.moved, query_.memory());
-               return slopes.sound() && (pole.kind == critical_minimum
-                                             ? slopes.least() >= length - 8 * noise
-                                             : slopes.least() + slopes.spread() <= length + 8 * noise);
+               return slopes.sound() && (pole.kind == critical_minimum ? slopes.least() >= length - 8 * noise
+                                                                       : slopes.most() <= length + 8 * noise);
            });
 }
 

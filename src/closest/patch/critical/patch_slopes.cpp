@@ -184,9 +184,16 @@ bool PatchSlopes::slanted_along(int axis, const double *centre, const Range &hei
     return slope.low > error || slope.high < -error;
 }
 
+double PatchSlopes::off() const noexcept {
+    return 2 * error_ / (least_weight_ * least_weight_);
+}
+
 double PatchSlopes::least() const noexcept {
-    const double off = 2 * error_ / (least_weight_ * least_weight_);
-    return std::sqrt(std::max(0.0, least_ - off)) * (1 - 4 * eps);
+    return std::sqrt(std::max(0.0, least_ - off())) * (1 - 4 * eps);
+}
+
+double PatchSlopes::most() const noexcept {
+    return std::sqrt(most_ + off()) * (1 + 4 * eps);
 }
 
 double PatchSlopes::spread() const noexcept {

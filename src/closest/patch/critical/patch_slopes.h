@@ -24,8 +24,9 @@ public:
     // The same test by the tangents alone, for a patch that is small compared to its distance. Near a pole
     // the coefficients of |Q|^2 differ by no more than their rounding, and monotone() decides nothing.
     [[nodiscard]] bool slanted() const noexcept;
-    // A lower bound on the distance.
+    // Bounds on the distance.
     [[nodiscard]] double least() const noexcept;
+    [[nodiscard]] double most() const noexcept;
     // An upper bound, up to rounding, on the largest distance minus the smallest one.
     [[nodiscard]] double spread() const noexcept;
     // The largest distance of a control point from a point.
@@ -50,6 +51,8 @@ private:
     template <class Visit>
     void for_products(const std::array<int, max_axes> &shrink, Visit &&visit) const;
     [[nodiscard]] int64_t step(int axis) const noexcept;
+    // The error of the quotients of coefficients.
+    [[nodiscard]] double off() const noexcept;
     [[nodiscard]] Range second(int k, int l) const;
 
     const PatchShape &shape_;
