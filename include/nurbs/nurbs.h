@@ -7919,10 +7919,10 @@ NURBS_API nurbs_status nurbs_read_options_init(nurbs_read_options *options, int6
  * Bezier and B-spline curves and surfaces in all their forms become splines exactly, but for rounding. The
  * ends of their domains are the parameters of ISO 10303-42, with angles in radians. Unbounded surfaces are
  * cut to the boundary of their face and 1/64 of its size more. Replicas are images of what they repeat, at
- * equal parameters. Lengths are in the unit of the first context that states units; what belongs to other
- * contexts is converted. Parts stay where they are modelled: their placements in assemblies, curves in
- * parameter planes, and the trimming of faces are not read. Whatever else shapes contain is listed in the
- * notes.
+ * equal parameters. Lengths are in the unit of the first context that states one; what belongs to other
+ * contexts is converted, and lengths in contexts that state none count as in that unit, with a note. Parts
+ * stay where they are modelled: their placements in assemblies, curves in parameter planes, and the trimming
+ * of faces are not read. Whatever else shapes contain is listed in the notes.
  *
  * **Offsets in STEP.** An offset surface is a known surface where the surface that it is offset from is one.
  * Other offset surfaces are approximated, within a quarter of the uncertainty or as near as the size of the
@@ -9913,7 +9913,7 @@ NURBS_API nurbs_status nurbs_model_write_with(const nurbs_model *model, int32_t 
  *
  * The bytes go to a new file in the same folder, which takes the name once they are on the disk: no other
  * program sees half a file, and a file that had the name is as it was if anything fails. A symbolic link
- * stays, and the file that it leads to is replaced; devices and pipes are written to.
+ * stays, and the file that it leads to is replaced or made; devices and pipes are written to.
  * \param[in] model a model.
  * \param[in] path file name, zero-terminated, in the system's encoding.
  * \param[in] format NURBS_FORMAT_STEP or NURBS_FORMAT_IGES.

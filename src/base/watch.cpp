@@ -40,7 +40,7 @@ void Watch::end() {
         std::snprintf(text, sizeof text,
                       usual_ ? "no result within the usual limit of work, %lld multiply-adds"
                              : "call.work = %lld multiply-adds were not enough",
-                      static_cast<long long>(limit_));
+                      static_cast<long long>(wishes_.work));
         throw CallEnded{{usual_ ? Status::not_converged : Status::work, text}};
     }
     ended_ = true;
@@ -212,6 +212,7 @@ UsualLimit::UsualLimit(int64_t work) noexcept : watch_(Watch::current()) {
     }
     watch_->settle();
     limit_ = std::exchange(watch_->limit_, watch_->counted_ + work);
+    watch_->wishes_.work = work; // as messages give it
     watch_->usual_ = true;
     watch_->grant();
 }
@@ -220,6 +221,7 @@ UsualLimit::~UsualLimit() {
     if (watch_ != nullptr) {
         watch_->settle();
         watch_->limit_ = limit_;
+        watch_->wishes_.work = 0;
         watch_->usual_ = watch_->ended_ = false;
         watch_->grant();
     }

@@ -226,18 +226,17 @@ private:
     // Whether all components vanish up to rounding at the zero of one of them, which rounding moves by its
     // error over its derivative.
     static bool vanish_at(const RoundedPolynomial &v, int pivot, double zero) {
-        const auto n = static_cast<size_t>(v.shape.width);
-        RoundedPolynomial upper = v;
-        split(upper, axis, zero);
-        const RoundedPolynomial slopes = derivative(upper, axis);
-        const double range = 1 - zero;
+        const RoundedPolynomial values = value_at(v, axis, zero),
+                                slopes = value_at(derivative(v, axis), axis, zero);
         const auto at = static_cast<size_t>(pivot);
         const double slope = std::abs(slopes.values[at]) - slopes.error(at);
-        const double moved =
-            2 * (std::abs(upper.values[at]) + upper.error(at)) / std::max(slope, 0.0) + 4 * eps / range;
-        for (size_t c = 0; c < n; ++c) {
+        if (!(slope > 0)) {
+            return true;
+        }
+        const double moved = 2 * (std::abs(values.values[at]) + values.error(at)) / slope + 4 * eps;
+        for (size_t c = 0; c < static_cast<size_t>(v.shape.width); ++c) {
             const double reach = moved * (std::abs(slopes.values[c]) + slopes.error(c));
-            if (!(std::abs(upper.values[c]) <= upper.error(c) + reach)) {
+            if (!(std::abs(values.values[c]) <= values.error(c) + reach)) {
                 return false;
             }
         }

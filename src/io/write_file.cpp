@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <string>
@@ -68,8 +69,10 @@ class Replacement {
 public:
     explicit Replacement(std::string path, mode_t mode) : path_(std::move(path)) {
         static std::atomic<unsigned> made{0};
+        const std::string directory =
+            path_.substr(0, path_.rfind('/') + 1); // names may be as long as allowed
         do {
-            name_ = path_ + ".new-" + std::to_string(::getpid()) + "-" + std::to_string(made++);
+            name_ = directory + ".nurbs-" + std::to_string(::getpid()) + "-" + std::to_string(made++);
             number_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         } while (number_ < 0 && errno == EEXIST);
         if (number_ < 0) {
@@ -101,16 +104,31 @@ private:
     int number_ = -1;
 };
 
-// The path with its symbolic links resolved; the path itself if nothing exists there yet.
-std::string target_of(const char *path) {
+// The path with its symbolic links resolved, also those that lead to a file that does not exist yet.
+std::string target_of(std::string path) {
     struct Free {
         void operator()(char *text) const noexcept { std::free(text); } // NOLINT: as realpath() wants it
     };
-    const std::unique_ptr<char, Free> target(::realpath(path, nullptr));
-    if (!target && errno == ENOMEM) {
-        throw std::bad_alloc();
+    constexpr int most_links = 40; // as Linux has it
+    for (int links = 0; links < most_links; ++links) {
+        const std::unique_ptr<char, Free> target(::realpath(path.c_str(), nullptr));
+        if (target) {
+            return target.get();
+        }
+        if (errno == ENOMEM) {
+            throw std::bad_alloc();
+        }
+        std::error_code error;
+        if (std::filesystem::exists(path, error)) { // such as /dev/stdout: the link of a pipe holds no path
+            return path;
+        }
+        const std::filesystem::path link = std::filesystem::read_symlink(path, error);
+        if (error) {
+            return path;
+        }
+        path = std::filesystem::path(path).parent_path() / link;
     }
-    return target ? target.get() : path;
+    fail_path(path, ELOOP);
 }
 
 void write_into(const std::string &path, const ByteSource &source) {

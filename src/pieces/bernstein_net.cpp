@@ -139,7 +139,7 @@ CentredRecords centred_records(const Spline &given, const std::vector<double> &c
         } else {
             const double size = std::ldexp(length(point, dim), -exponent);
             records.positive = records.positive && w > 0;
-            records.sizes.push_back(w > 0 ? size / w + reach : reach);
+            records.sizes.push_back(w != 0 ? size / std::abs(w) + reach : reach);
             for (int c = 0; c < dim; ++c) {
                 out[c] = std::ldexp(point[c], -exponent) - w * centre[static_cast<size_t>(c)];
             }

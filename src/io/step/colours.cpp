@@ -38,9 +38,11 @@ public:
                 }
             }
         }
-        // Items with many faces come first, so that those below them overrule them.
-        std::stable_sort(styled_.begin(), styled_.end(),
-                         [](const Styled &a, const Styled &b) { return a.faces.size() > b.faces.size(); });
+        // Items with many faces come first, so that those below them overrule them, and items before those
+        // that over-ride them.
+        std::ranges::stable_sort(styled_, {}, [](const Styled &styled) {
+            return std::pair(-std::ssize(styled.faces), styled.overridden);
+        });
         Colours result;
         for (const Styled &styled : styled_) {
             for (const int64_t face : styled.faces) {
@@ -54,6 +56,7 @@ private:
     struct Styled {
         Colour colour;
         std::vector<int64_t> faces;
+        int64_t overridden = 0; // number of items that it over-rides, each by way of the one before
     };
 
     void read_item(const Instance &instance) {
@@ -76,6 +79,25 @@ private:
             entities_.at(style, attributes, "styles");
         }
         entities_.at(item, attributes, "item");
+        if (colour) {
+            styled_.back().overridden = overridden_by(instance);
+        }
+    }
+    int64_t overridden_by(const Instance &instance) {
+        const Entities::Visit visit(entities_, instance.number());
+        Attributes attributes(instances_, instance);
+        if (!attributes.has_part("OVER_RIDING_STYLED_ITEM")) {
+            return 0;
+        }
+        attributes.part("REPRESENTATION_ITEM");
+        attributes.skip("name");
+        attributes.part("STYLED_ITEM");
+        attributes.skip("styles");
+        attributes.skip("item");
+        attributes.part("OVER_RIDING_STYLED_ITEM");
+        entities_.spend(1); // many items may over-ride one
+        return 1 + overridden_by(entities_.at(attributes.reference("over_ridden_style"), attributes,
+                                              "over_ridden_style"));
     }
     // The first colour below a style, in the order of the file. Curve and point styles are left out, since
     // their colours are not those of surfaces.

@@ -57,6 +57,7 @@ Contexts::Contexts(Entities &entities) {
     const std::vector<int64_t> bare = sets_in_parameters(entities);
     if (all_.size() > 1 || !bare.empty()) {
         assign(entities, bare);
+        set_unstated_lengths();
     }
 }
 
@@ -99,6 +100,26 @@ void Contexts::read_contexts(Entities &entities) {
     }
 }
 
+// The length of a context that states none is that of the first one that does.
+void Contexts::set_unstated_lengths() {
+    const auto states = [](const Measures &measures) { return measures.metres > 0; };
+    const auto stated = std::ranges::find_if(all_, states);
+    if (stated == all_.end()) {
+        return;
+    }
+    for (const Found &found : found_) {
+        if (found.used && !states(all_[found.measures])) {
+            damages_.push_back({found.context, Status::syntax,
+                                "#" + std::to_string(found.context) +
+                                    ": states no unit of length; that of another context is taken"});
+        }
+    }
+    for (const Found &found : found_) {
+        double &metres = all_[found.measures].metres;
+        metres = metres > 0 ? metres : stated->metres;
+    }
+}
+
 void Contexts::assign(const Entities &entities, const std::vector<int64_t> &bare) {
     const Instances &instances = entities.instances();
     of_instance_.assign(static_cast<size_t>(instances.size()), nobody);
@@ -117,6 +138,7 @@ void Contexts::assign(const Entities &entities, const std::vector<int64_t> &bare
         for_each_reference(instances.text(), instance, [&](int64_t number) {
             const auto context = std::ranges::lower_bound(found_, number, {}, &Found::context);
             if (context != found_.end() && context->context == number) {
+                context->used = true;
                 assignment.run(instance, context->measures);
             }
         });

@@ -13,40 +13,12 @@ namespace {
 // The rounding of products of two unit vectors.
 constexpr double product_rounding = 0x1p-50;
 
-Vector3 unit_vector(const Vector3 &x) noexcept {
-    const Vector3 y = scaled_to_one(x);
-    return (1 / std::sqrt(dot(y, y))) * y;
-}
-
 // Whether two directions are the first and the third axis of a frame of this scale, but for rounding. Such
 // directions are kept as given, so that a motion that was written is read unchanged.
 bool is_frame(const Vector3 &x, const Vector3 &z, double scale) noexcept {
     const double square = scale * scale, most = product_rounding * square;
     return std::fabs(dot(x, x) - square) <= most && std::fabs(dot(z, z) - square) <= most &&
            std::fabs(dot(x, z)) <= most;
-}
-
-std::optional<Vector3> read_axis_direction(Entities &entities, Attributes &attributes, const char *name) {
-    const int64_t number = attributes.reference_or_none(name);
-    if (number == 0) {
-        return std::nullopt;
-    }
-    const Point direction = read_direction(entities, number, attributes, name);
-    return Vector3{direction.x[0], direction.x[1], direction.x[2]};
-}
-
-// base_axis() of ISO 10303-42. The third direction gives z, and the part of the first one perpendicular to z
-// gives x. The second one only decides on which side y is.
-Motion axes_of(const std::optional<Vector3> &first, const std::optional<Vector3> &second,
-               const std::optional<Vector3> &third, double scale) noexcept {
-    const bool given = first && third && is_frame(*first, *third, scale);
-    const Vector3 z = third ? unit_vector(*third) : Vector3{0, 0, 1};
-    const Vector3 wanted =
-        first ? unit_vector(*first) : (std::fabs(z.x) < 0.9 ? Vector3{1, 0, 0} : Vector3{0, 1, 0});
-    const Vector3 x = given ? *first : scale * unit_vector(wanted - dot(wanted, z) * z),
-                  along = given ? *third : scale * z, y = cross((1 / scale) * along, x);
-    const bool mirrored = second && dot(unit_vector(*second), y) < 0;
-    return {{x, mirrored ? -1.0 * y : y, along}, {}};
 }
 
 // Skips attributes until only `left` of them are left.
@@ -63,12 +35,12 @@ void skip_to_last(Attributes &attributes, int left) {
 
 } // namespace
 
-// Given directions are kept if they are those of a frame, but for rounding.
-Motion motion_of(const build::Placement &frame) noexcept {
+// Given directions are kept if they are those of a frame of this scale, but for rounding.
+Motion motion_of(const build::Placement &frame, double scale) noexcept {
     const Vector3 &z = frame.given_axis, &x = frame.given_x;
-    const bool given = is_frame(x, z, 1);
-    const Vector3 across = given ? x : frame.x, along = given ? z : frame.z;
-    return {{across, cross(along, across), along}, frame.origin};
+    const bool given = is_frame(x, z, scale);
+    const Vector3 across = given ? x : scale * frame.x, along = given ? z : scale * frame.z;
+    return {{across, cross((1 / scale) * along, across), along}, frame.origin};
 }
 
 Motion between(const Motion &from, const Motion &to) noexcept {
@@ -94,6 +66,8 @@ bool is_operator(const Instances &instances, const Instance &instance) {
     return instances.keyword(instance).starts_with("CARTESIAN_TRANSFORMATION_OPERATOR");
 }
 
+// base_axis() of ISO 10303-42. The third direction gives z, and the part of the first one perpendicular to z
+// gives x. The second one only decides on which side y is.
 Motion read_operator(Entities &entities, const Instance &instance, double length) {
     Attributes attributes(entities.instances(), instance);
     if (attributes.complex()) {
@@ -101,18 +75,21 @@ Motion read_operator(Entities &entities, const Instance &instance, double length
     } else { // writers differ in how many names and descriptions come first
         skip_to_last(attributes, 5);
     }
-    const std::optional<Vector3> first = read_axis_direction(entities, attributes, "axis1"),
-                                 second = read_axis_direction(entities, attributes, "axis2");
+    const std::optional<Point> first = read_optional(entities, attributes, "axis1"),
+                               second = read_optional(entities, attributes, "axis2");
     const Point origin =
         read_point(entities, attributes.reference("local_origin"), attributes, "local_origin", length);
     const double scale = attributes.real_or("scale", 1);
     attributes.part("CARTESIAN_TRANSFORMATION_OPERATOR_3D");
-    const std::optional<Vector3> third = read_axis_direction(entities, attributes, "axis3");
+    const std::optional<Point> third = read_optional(entities, attributes, "axis3");
     if (!(scale > 0)) {
         attributes.fail_attribute(Status::factor, "scale", "expected more than 0");
     }
-    Motion motion = axes_of(first, second, third, scale);
-    motion.shift = {origin.x[0], origin.x[1], origin.x[2]};
+    Motion motion = motion_of(space_frame(origin, third, first), scale);
+    Vector3 &y = motion.columns[1];
+    if (second && dot(scaled_to_one(vector_of(second->x.data(), 3)), y) < 0) {
+        y = -1.0 * y;
+    }
     return motion;
 }
 

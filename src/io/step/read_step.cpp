@@ -70,9 +70,10 @@ private:
             attributes.skip("bounds");
             attributes.part("FACE_SURFACE");
             const int64_t number = attributes.reference("face_geometry");
-            // Faces may share a surface. A bounded surface has the same spline for all of them.
-            if (const auto known = surfaces_.find({number, units.length, units.angle});
-                known != surfaces_.end()) {
+            // Faces may share a surface. A bounded surface has the same spline for all of them that are in
+            // contexts with the same measures.
+            const SurfaceKey key{number, units.length, units.angle, units.tolerance};
+            if (const auto known = surfaces_.find(key); known != surfaces_.end()) {
                 return known->second;
             }
             const model::SurfaceShapePtr surface = geometry.surface(number, attributes, "face_geometry");
@@ -80,8 +81,7 @@ private:
                 return surface_around(entities_, *surface, step::boundary_points(geometry, edges_, face),
                                       units.tolerance);
             }
-            return surfaces_[{number, units.length, units.angle}] =
-                       surface_around(entities_, *surface, {}, units.tolerance);
+            return surfaces_[key] = surface_around(entities_, *surface, {}, units.tolerance);
         });
         splines.push_back({step::name_of(instances_, face), std::move(spline)});
     }
@@ -90,6 +90,7 @@ private:
         int64_t number;
         double length;
         double angle;
+        double tolerance; // within which it is approximated
         auto operator<=>(const SurfaceKey &) const = default;
     };
 

@@ -39,8 +39,8 @@ public:
     explicit TopologyMaker(const model::Model &model) : model_(model) {
         result_.edges = model.edges;
         result_.vertices = model.vertices;
-        for (const Vector3 &at : model.vertices) {
-            vertices_.try_emplace({at.x, at.y, at.z}, std::ssize(vertices_));
+        for (int64_t i = 0; const Vector3 &at : model.vertices) {
+            vertices_.try_emplace({at.x, at.y, at.z}, i++);
         }
     }
 

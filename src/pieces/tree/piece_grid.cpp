@@ -146,9 +146,9 @@ void PieceGrid::copy(const Spline &spline) {
 void PieceGrid::set_sizes(const Spline &spline, const std::vector<double> &sizes) {
     double smallest = infinity, largest = 0;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
-        const double w = spline.weight(i);
+        const double w = std::abs(spline.weight(i));
         smallest = std::min(smallest, w > 0 ? w : infinity);
-        largest = std::max(largest, std::abs(w));
+        largest = std::max(largest, w);
         const double point = norm_of(spline.dim(), [&](int c) {
             return frame_.coordinate(static_cast<size_t>(c), spline.coordinate(i, c));
         });

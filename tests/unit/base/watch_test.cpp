@@ -231,6 +231,27 @@ TEST(Watch, a_part_of_the_work_leaves_the_rest) {
               Status::ok);
 }
 
+// The limit that is told is that of the caller, or the usual one, whatever is left of it.
+TEST(Watch, limits_are_told_as_they_were_given) {
+    const auto text_of = [](int64_t work, const std::function<void()> &body) {
+        try {
+            const Watch watch({work, nullptr, nullptr});
+            body();
+        } catch (const CallEnded &end) {
+            return std::string(end.why.what());
+        }
+        return std::string();
+    };
+    const auto body = [] {
+        count_work(20);
+        const UsualLimit usual(300);
+        const PartOfWork half;
+        count_work(1000);
+    };
+    EXPECT_EQ(text_of(100, body), "call.work = 100 multiply-adds were not enough");
+    EXPECT_EQ(text_of(0, body), "no result within the usual limit of work, 300 multiply-adds");
+}
+
 TEST(Watch, what_is_left_of_the_work_is_known) {
     static constexpr int64_t any_work = int64_t{1} << 60;
     EXPECT_GT(work_left(), any_work); // nobody watches

@@ -160,6 +160,13 @@ TEST(ZeroPlaces, of_vectors) {
     const RoundedPolynomial rough = polynomial({-0.3, 0.7}, {1e-10, 1e-10});
     EXPECT_EQ(nrb::zero_places(side_by_side({rough, factor(0.3 + 5e-11)})).size(), 1U);
     EXPECT_TRUE(nrb::zero_places(side_by_side({rough, factor(0.3 + 1e-9)})).empty());
+    // nearer to the end than numbers below 1 are to 1, without being there
+    const RoundedPolynomial late = polynomial({-1, 0x1p-60});
+    for (const RoundedPolynomial &other : {scaled(late, 2), polynomial({0, 0})}) {
+        const auto last = nrb::zero_places(side_by_side({late, other}));
+        ASSERT_EQ(last.size(), 1U);
+        EXPECT_TRUE(last[0].certain && last[0].from == 1);
+    }
     const auto nothing = nrb::zero_places(side_by_side({polynomial({0, 0}), polynomial({0, 0})}));
     ASSERT_EQ(nothing.size(), 1U);
     EXPECT_TRUE(!nothing[0].certain && nothing[0].from == 0 && nothing[0].to == 1);

@@ -171,6 +171,34 @@ TEST_P(PatchKernel, discs_hold_corners_of_small_weight) {
     }
 }
 
+// A spline whose weights are all negative is the one of the opposite records, and rounding is allowed for
+// likewise.
+TEST_P(PatchKernel, bounds_of_negative_weights_hold_for_the_opposite_ones) {
+    Random random(57);
+    const auto axis = std::make_shared<const KnotVector>(2, std::vector<double>{0, 0, 0, 1, 3, 3, 3});
+    for (int round = 0; round < 100; ++round) {
+        std::vector<double> records, opposite;
+        double least = infinity, most = 0;
+        for (int i = 0; i < 16; ++i) {
+            const double w = random.magnitude(0.1, 10);
+            least = std::min(least, w);
+            most = std::max(most, w);
+            for (int c = 0; c < 3; ++c) {
+                records.push_back(w * random.between(-1, 1));
+            }
+            records.push_back(w);
+        }
+        std::ranges::transform(records, std::back_inserter(opposite), std::negate<>());
+        const pieces::PieceGrid positive(*make_spline({axis, axis}, 3, Form::homogeneous, records, {})),
+            negative(*make_spline({axis, axis}, 3, Form::homogeneous, opposite, {}));
+        const double x[] = {random.between(-2, 2), random.between(-2, 2), random.between(-2, 2)};
+        EXPECT_EQ(negative.weight_ratio(), most / least);
+        EXPECT_GE(negative.unscaled(negative.radius()), positive.unscaled(positive.radius()) / 2);
+        EXPECT_GE(closest::PatchQuery::noise(negative, x),
+                  closest::PatchQuery::noise(positive, x) * (1 - 0x1p-40));
+    }
+}
+
 // Halves and parts are the patch that they are a part of.
 TEST_P(PatchKernel, parts_are_parts) {
     Random random(53);

@@ -4,6 +4,7 @@
 #include "io/file.h"
 
 #include <algorithm>
+#include <climits>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -73,6 +74,37 @@ TEST_F(WriteFile, KeepsPermissionsAndLinks) {
     EXPECT_EQ(names(), (std::vector<std::string>{"a", "link"}));
 }
 
+TEST_F(WriteFile, NamesMayBeAsLongAsTheSystemAllows) {
+    const std::string longest(NAME_MAX, 'a');
+    for (const std::string text : {"first", "second"}) {
+        io::write_whole_file(path(longest).c_str(), text);
+        EXPECT_EQ(contents(longest), text);
+        EXPECT_EQ(names(), std::vector<std::string>{longest});
+    }
+}
+
+// A link to a file that is not there yet stays one, and so does a link to such a link.
+TEST_F(WriteFile, MakesWhatLinksLeadTo) {
+    fs::create_directory(path("far"));
+    fs::create_symlink("far/a", path("link"));
+    fs::create_symlink(path("link"), path("far/link"));
+    for (const std::string text : {"first", "second"}) {
+        io::write_whole_file(path("far/link").c_str(), text);
+        EXPECT_EQ(contents("far/a"), text);
+        EXPECT_FALSE(fs::is_symlink(path("far/a")));
+        EXPECT_TRUE(fs::is_symlink(path("link")) && fs::is_symlink(path("far/link")));
+    }
+    EXPECT_EQ(names(), (std::vector<std::string>{"far", "link"}));
+}
+
+TEST_F(WriteFile, RefusesLinksThatLeadNowhere) {
+    fs::create_symlink("none/a", path("link"));
+    fs::create_symlink("turn", path("turn"));
+    expect_refused(path("link"), "No such file");
+    expect_refused(path("turn"), "levels of symbolic links");
+    EXPECT_EQ(names(), (std::vector<std::string>{"link", "turn"}));
+}
+
 TEST_F(WriteFile, RefusesWhatCannotBe) {
     expect_refused(path("none/a"), "No such file");
     expect_refused(folder_, "directory");
@@ -98,6 +130,17 @@ TEST_F(WriteFile, WritesToDevices) {
     if (fs::exists("/dev/full")) {
         expect_refused("/dev/full", "No space");
     }
+}
+
+TEST_F(WriteFile, WritesIntoPipes) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    io::write_whole_file(("/dev/fd/" + std::to_string(ends[1])).c_str(), "text");
+    char text[5] = "";
+    EXPECT_EQ(::read(ends[0], text, 4), 4);
+    EXPECT_STREQ(text, "text");
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 TEST_F(WriteFile, AnEndedCallLeavesTheOldFile) {

@@ -1,6 +1,7 @@
 // Sparse factors: by rows and by dense blocks, of bands that products show, and what is selected of their inverses.
 #include "numeric/solvers/sparse/selected_inverse.h"
 
+#include "base/watch.h"
 #include "numeric/solvers/sparse/grid_order.h"
 #include "numeric/solvers/sparse/probed_band.h"
 #include "support/generators.h"
@@ -8,6 +9,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace sparse_factors_test {
@@ -100,6 +102,27 @@ TEST(Supernodes, solve_and_invert) {
         ASSERT_LE(worst, 0x1p-50 * expected.norm());
         ASSERT_NEAR(inverse.trace_of_product(columns), static_cast<double>(a.rows()),
                     static_cast<double>(a.rows()) * 0x1p-46);
+    }
+}
+
+// A factorisation that was ended while memory was provided is done anew.
+TEST(Supernodes, are_factorised_after_an_end) {
+    support::Random random(930250);
+    const nrb::SparseColumns columns = grid_matrix(random, 40, 4, false);
+    nrb::SparseLdlt whole(columns);
+    ASSERT_EQ(whole.factorise(columns), -1);
+    constexpr int64_t part = int64_t{1} << 15; // of grow_watched()
+    const int64_t parts = whole.starts().back() / part;
+    ASSERT_GE(parts, 2);
+    for (int64_t done = 0; done < 2 * parts; ++done) {
+        nrb::SparseLdlt factors(columns);
+        {
+            const nrb::Watch watch({(done + 1) * part - 1, nullptr, nullptr});
+            EXPECT_THROW((void)factors.factorise(columns), nrb::CallEnded);
+        }
+        ASSERT_EQ(factors.factorise(columns), -1);
+        ASSERT_TRUE(std::ranges::equal(factors.rows(), whole.rows())) << done;
+        ASSERT_TRUE(std::ranges::equal(factors.values(), whole.values())) << done;
     }
 }
 

@@ -42,11 +42,6 @@ bool parallel(const Point &a, const Point &b) noexcept {
     return largest(cross(unit_of(a), unit_of(b))) <= 1e-12;
 }
 
-build::Placement space_frame(const Point &origin, const Point &z, const Point &x) {
-    const Point &across = parallel(z, x) ? default_x(z) : x;
-    return build::make_placement(3, origin.x.data(), z.x.data(), across.x.data(), "location");
-}
-
 Attributes at_location(Entities &entities, const Instance &instance, Point &location, double length) {
     Attributes attributes(entities.instances(), instance);
     attributes.part("REPRESENTATION_ITEM");
@@ -54,18 +49,6 @@ Attributes at_location(Entities &entities, const Instance &instance, Point &loca
     attributes.part("PLACEMENT");
     location = read_point(entities, attributes.reference("location"), attributes, "location", length);
     return attributes;
-}
-
-// The direction that the next attribute names, if it names one.
-bool read_optional(Entities &entities, Attributes &attributes, const char *name, Point &direction) {
-    if (attributes.upcoming() == ')') { // left out at the end, as some writers do
-        return false;
-    }
-    const int64_t number = attributes.reference_or_none(name);
-    if (number != 0) {
-        direction = read_direction(entities, number, attributes, name);
-    }
-    return number != 0;
 }
 
 void check_dimension(const Attributes &attributes, const Point &point, int dim, const char *name) {
@@ -109,6 +92,18 @@ Point read_direction(Entities &entities, int64_t number, const Attributes &owner
     return direction;
 }
 
+std::optional<Point> read_optional(Entities &entities, Attributes &attributes, const char *name) {
+    const int64_t number = attributes.upcoming() == ')' ? 0 : attributes.reference_or_none(name);
+    return number == 0 ? std::nullopt : std::optional(read_direction(entities, number, attributes, name));
+}
+
+build::Placement space_frame(const Point &origin, const std::optional<Point> &axis,
+                             const std::optional<Point> &reference) {
+    const Point z = axis.value_or(Point{{0, 0, 1}, 3}),
+                x = reference && !parallel(z, *reference) ? *reference : default_x(z);
+    return build::make_placement(3, origin.x.data(), z.x.data(), x.x.data(), "location");
+}
+
 Vector3 Vector::value() const noexcept {
     const Vector3 along = scaled_to_one({direction.x[0], direction.x[1], direction.x[2]});
     return (magnitude / nrb::length(along)) * along;
@@ -138,31 +133,27 @@ build::Placement read_placement(Entities &entities, int64_t number, const Attrib
         entities.fail_kind(instance, owner, attribute, "an AXIS2_PLACEMENT_2D or _3D");
     }
     const bool plane = instance.kind() == Kind::axis2_placement_2d;
-    Point origin, z{{0, 0, 1}, 3}, x{{1, 0, 0}, 3};
+    Point origin;
     Attributes attributes = at_location(entities, instance, origin, length);
     check_dimension(attributes, origin, plane ? 2 : 3, "location");
     attributes.part(plane ? "AXIS2_PLACEMENT_2D" : "AXIS2_PLACEMENT_3D");
     if (plane) {
-        read_optional(entities, attributes, "ref_direction", x);
+        const Point x = read_optional(entities, attributes, "ref_direction").value_or(Point{{1, 0, 0}, 3});
         return build::make_placement(2, origin.x.data(), nullptr, x.x.data(), "location");
     }
-    read_optional(entities, attributes, "axis", z);
-    if (!read_optional(entities, attributes, "ref_direction", x)) {
-        x = default_x(z);
-    }
-    return space_frame(origin, z, x);
+    const std::optional<Point> z = read_optional(entities, attributes, "axis");
+    return space_frame(origin, z, read_optional(entities, attributes, "ref_direction"));
 }
 
 build::Placement read_axis(Entities &entities, int64_t number, const Attributes &owner, const char *attribute,
                            double length) {
     const Instance &instance =
         entities.at(number, Kind::axis1_placement, owner, attribute, "an AXIS1_PLACEMENT");
-    Point origin, z{{0, 0, 1}, 3};
+    Point origin;
     Attributes attributes = at_location(entities, instance, origin, length);
     check_dimension(attributes, origin, 3, "location");
     attributes.part("AXIS1_PLACEMENT");
-    read_optional(entities, attributes, "axis", z);
-    return space_frame(origin, z, default_x(z));
+    return space_frame(origin, read_optional(entities, attributes, "axis"), std::nullopt);
 }
 
 } // namespace nrb::io::step

@@ -114,7 +114,8 @@ int64_t LdltOf<Number>::gather_row(const ColumnsOf<Number> &matrix, int32_t k) {
 
 template <class Number>
 int64_t LdltOf<Number>::factorise(const ColumnsOf<Number> &matrix, std::span<const double> floors) {
-    const bool first = values_.empty();
+    const bool first =
+        values_.size() < at(starts_.back()); // maybe after a call that was ended while they grew
     grow_watched(rows_, at(starts_.back())); // allocated here: many systems need no factors
     grow_watched(values_, at(starts_.back()));
     if constexpr (std::is_same_v<Number, double>) {

@@ -221,6 +221,31 @@ TEST(StepAssembly, ColoursOfFacesOverruleThoseOfTheWhole) {
     EXPECT_EQ(*found.faces[1].colour, (std::array<double, 3>{0.25, 0.5, 0.75}));
 }
 
+// In whatever order they come.
+TEST(StepAssembly, ColoursThatOverRideOthers) {
+    PartsFile file;
+    const std::string ball = file.add("SPHERICAL_SURFACE(''," + file.frame("0.,0.,0.") + ",1.)");
+    const std::string dot = file.add("VERTEX_LOOP(''," + file.vertex("0.,0.,-1.") + ")");
+    const std::string bound = file.add("FACE_OUTER_BOUND(''," + dot + ",.T.)");
+    const std::string face = file.add("ADVANCED_FACE('',(" + bound + ")," + ball + ",.T.)");
+    file.shape(file.add("OPEN_SHELL('',(" + face + "))"), file.context(file.millimetre(), file.angle));
+    const auto style = [&](const std::string &colour) {
+        const std::string named = file.add("DRAUGHTING_PRE_DEFINED_COLOUR('" + colour + "')");
+        return file.add("PRESENTATION_STYLE_ASSIGNMENT((" + named + "))");
+    };
+    const std::string red = style("red"), green = style("green"), blue = style("blue");
+    const auto number = [&](int ahead) {
+        return "#" + std::to_string(std::stoi(file.next().substr(1)) + ahead);
+    };
+    file.add("OVER_RIDING_STYLED_ITEM('',(" + green + ")," + face + "," + number(1) + ")");
+    file.add("OVER_RIDING_STYLED_ITEM('',(" + blue + ")," + face + "," + number(1) + ")");
+    file.add("STYLED_ITEM('',(" + red + ")," + face + ")");
+    const model::Model found = model_of(file);
+    EXPECT_TRUE(found.notes.empty());
+    ASSERT_EQ(found.faces.size(), 1U);
+    EXPECT_EQ(found.faces[0].colour, (std::array<double, 3>{0, 1, 0}));
+}
+
 // 20^10 ways through the styles.
 TEST(StepAssembly, StylesThatShareStylesAreReadOnce) {
     PartsFile file;

@@ -104,6 +104,27 @@ TEST(StepOffsetSurfaces, of_others_are_as_near_as_can_be) {
     expect_offset(*document.splines[0].spline, *basis_of(bumps, 12), 0.02, bound);
 }
 
+// Faces on one surface, each in a context with an uncertainty of its own.
+TEST(StepOffsetSurfaces, of_faces_are_as_near_as_the_context_of_each_says) {
+    StepBuilder builder;
+    const std::string offset = offset_of(builder, sheet(builder, 10, wave), "0.1");
+    const std::string length = builder.millimetre(), angle = builder.radian();
+    const double uncertainties[] = {1e-3, 1e-6};
+    for (const double uncertainty : uncertainties) {
+        const std::string least = builder.add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(" +
+                                              number(uncertainty) + ")," + length + ",'','')");
+        const std::string context = builder.add(
+            "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + least +
+            "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + length + "," + angle + "))REPRESENTATION_CONTEXT('',''))");
+        builder.shape(builder.add("OPEN_SHELL('',(" + builder.face(offset, {}) + "))"), context);
+    }
+    const nrb::model::Model document = read(builder);
+    ASSERT_EQ(document.splines.size(), 2U);
+    for (size_t i = 0; i < 2; ++i) {
+        expect_offset(*document.splines[i].spline, *basis_of(wave, 10), 0.1, uncertainties[i] / 4);
+    }
+}
+
 // Many of them share what there is.
 TEST(StepOffsetSurfaces, that_are_many_are_all_read_or_told) {
     StepBuilder builder;

@@ -65,6 +65,32 @@ TEST(StepReplicas, keep_the_parameters) {
     expect_near(point_of(*part, 2, 5), {10 - 2 * 4, 22, 30 + 2 * 8});
 }
 
+// Axes that are missing or parallel are those that placements have then.
+TEST(StepReplicas, stand_as_placements_do) {
+    for (const std::string z : {"$", "0.,0.,-3.", "1.,0.,0.", "-2.,0.,0.", "0.95,0.2,0.1", "1.,1E-7,0."}) {
+        for (const std::string x : {"$", "0.,0.,1.", "1.,0.,0.", "0.95,0.2,0.1", "-1.9,-0.4,-0.2"}) {
+            StepBuilder builder;
+            const std::string up = z == "$" ? z : builder.direction(z),
+                              way = x == "$" ? x : builder.direction(x), origin = builder.point("1.,2.,3.");
+            const std::string level = builder.placement("0.,0.,0.", "0.,0.,1.", "1.,0.,0.");
+            const std::string circle = builder.add("CIRCLE(''," + level + ",2.)");
+            builder.add("CURVE_REPLICA(''," + circle + "," +
+                        builder.add("CARTESIAN_TRANSFORMATION_OPERATOR_3D('','',''," + way + ",$," + origin +
+                                    ",3.," + up + ")") +
+                        ")");
+            builder.add("CIRCLE(''," +
+                        builder.add("AXIS2_PLACEMENT_3D(''," + origin + "," + up + "," + way + ")") + ",6.)");
+            const nrb::model::Model found = read(builder);
+            ASSERT_EQ(found.splines.size(), 2U) << z << " " << x;
+            for (int i = 0; i <= 8; ++i) {
+                const double t = pi * i / 4;
+                expect_near(point_of(*found.splines[0].spline, t), point_of(*found.splines[1].spline, t),
+                            1e-13);
+            }
+        }
+    }
+}
+
 TEST(StepReplicas, that_cannot_be_read_are_noted) {
     StepBuilder other;
     const std::string circle = other.add("CIRCLE(''," + other.some_placement() + ",2.)");

@@ -63,6 +63,30 @@ TEST(StepUnits, each_context_has_its_own) {
     expect_domain(*document.splines[1].spline, 0, 0, std::numbers::pi / 2);
 }
 
+// The unit of a context that states none, whichever comes first, is that of another one, and that is told.
+TEST(StepUnits, unstated_ones_are_those_of_others) {
+    StepBuilder builder;
+    const std::string angle = builder.radian();
+    builder.context(angle, angle); // nothing uses it
+    const std::string bare = builder.context(builder.degree(), angle);
+    builder.shape(circle(builder), bare);
+    builder.shape(circle(builder), bare);
+    builder.shape(circle(builder), builder.context(builder.inch(), angle));
+    builder.shape(circle(builder), builder.context(builder.millimetre(), angle));
+    for (const double wanted : {0.0, 0.001}) {
+        const nrb::model::Model document = read(builder, {.unit = wanted});
+        const double unit = wanted > 0 ? wanted : 0.0254;
+        EXPECT_EQ(document.metres_per_unit, unit);
+        EXPECT_EQ(only_note(document).text,
+                  bare + ": states no unit of length; that of another context is taken");
+        ASSERT_EQ(document.splines.size(), 4U);
+        for (size_t i = 0; i < 4; ++i) {
+            const double x = 3 * (i < 3 ? 0.0254 : 0.001) / unit;
+            expect_near(point_of(*document.splines[i].spline, 0), {x, 0, 0}, 0x1p-50 * x);
+        }
+    }
+}
+
 TEST(StepUnits, faces_have_those_of_the_solid_that_they_are_in) {
     StepBuilder builder;
     const auto ball = [&](const std::string &unit) {

@@ -95,6 +95,36 @@ TEST(StepWriteModel, PartsThatAreMovedInTheWhole) {
     expect_again(again);
 }
 
+// Also where vertices that are not the same are at the same place, and where a polygon has corners at later
+// ones.
+TEST(StepWriteModel, EdgesEndAtTheirVertices) {
+    SolidBuilder file;
+    const std::string low = file.vertex("0.,0.,0."), twin = file.vertex("0.,-0.,0."),
+                      high = file.vertex("0.,0.,4."), far = file.vertex("4.,0.,0.");
+    file.curve_edge(low, high, file.line("0.,0.,0.", "0.,0.,1."));
+    file.curve_edge(twin, far, file.line("0.,0.,0.", "1.,0.,0."));
+    const std::string corners =
+        file.point("4.,0.,0.") + "," + file.point("0.,4.,0.") + "," + file.point("0.,0.,4.");
+    const std::string loop = file.add("POLY_LOOP('',(" + corners + "))");
+    const std::string slope =
+        file.add("PLANE(''," + file.placement("4.,0.,0.", "1.,1.,1.", "-1.,1.,0.") + ")");
+    const model::Model model =
+        io::read_model(file.solid({file.bounded_face(slope, {{{}, ".T.", loop}})}), {});
+    ASSERT_EQ(model.vertices.size(), 4U);
+    for (const int32_t format : {1, 2}) {
+        const model::Model again = io::read_model(io::write(model, format, {}), {});
+        ASSERT_GE(again.edges.size(), 3U);
+        for (const model::Edge &edge : again.edges) {
+            const Interval domain = edge.curve->axis(0).domain();
+            const auto vertex = [&](size_t end) {
+                return again.vertices.at(static_cast<size_t>(edge.vertices[end]));
+            };
+            spline_checks::expect_near(spline_checks::point_of(*edge.curve, domain.lower), vertex(0), 1e-12);
+            spline_checks::expect_near(spline_checks::point_of(*edge.curve, domain.upper), vertex(1), 1e-12);
+        }
+    }
+}
+
 TEST(StepWriteModel, RandomMotionsReadBackBitForBit) {
     std::mt19937 random(3);
     for (int i = 0; i < 200; ++i) {
