@@ -276,4 +276,19 @@ TEST(Classify, EdgesOnEachOtherTellNothingOfNesting) {
     }
 }
 
+// The metric beyond the domain is that at its end: only what is within the tolerance of the boundary is on it.
+TEST(Classify, PlacesBeyondOpenAxesAreOutside) {
+    const Face face({plane(), {}, 0}, nullptr);
+    const double tolerance = 1e-3;
+    for (const double x : {-4.0, -2 * tolerance, 1 + 2 * tolerance, 5.0}) {
+        EXPECT_EQ(side(face, {x, 0.5}, tolerance), -1) << x;
+        EXPECT_EQ(side(face, {0.5, x}, tolerance), -1) << x;
+        EXPECT_EQ(side(face, {x, x}, tolerance), -1) << x;
+    }
+    for (const double x : {-tolerance / 2, tolerance / 2, 1 - tolerance / 2, 1 + tolerance / 2}) {
+        EXPECT_EQ(side(face, {x, 0.5}, tolerance), 0) << x;
+        EXPECT_EQ(side(face, {0.5, x}, tolerance), 0) << x;
+    }
+}
+
 } // namespace
