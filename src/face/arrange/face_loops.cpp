@@ -84,8 +84,7 @@ std::vector<ArrangedLoop> loops_of(const Face &face, int32_t owner) {
 }
 
 AtCorner::AtCorner(const Arrangement &arrangement)
-    : arrangement_(arrangement), corner_{arrangement.covering().domain(0).lower,
-                                         arrangement.covering().domain(1).lower},
+    : corner_{arrangement.covering().domain(0).lower, arrangement.covering().domain(1).lower},
       closed_(arrangement.covering().closed(0) && arrangement.covering().closed(1)) {}
 
 void AtCorner::add(const Face &face, int32_t owner) {

@@ -27,7 +27,6 @@ public:
     [[nodiscard]] const PassedSums &sums() const noexcept { return sums_; }
 
 private:
-    const Arrangement &arrangement_;
     Point2 corner_;
     bool closed_;
     PassedSums sums_;
