@@ -4,7 +4,9 @@
 
 #include "spline/spline.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace nrb::face {
@@ -98,6 +100,16 @@ private:
 std::vector<double> point_at(const Spline &surface, const Point2 &x);
 // A new curve, even without a move, so that two curves that are compared are never the same object.
 SplinePtr scaled_copy(const Spline &curve, const Point2 &scale, const Point2 &move);
+// Calls visit(x) for the copies x = at + n period, n = ..., -1, 0, 1, ..., in a range that is not empty, rising.
+template <class Visit>
+void for_each_copy(double at, double period, const Interval &range, Visit &&visit) {
+    constexpr double most = 0x1p31; // no curve of a face runs through so many
+    const double first = std::ceil((range.lower - at) / period);
+    const double count = std::floor((range.upper - at) / period) - first + 1;
+    for (int64_t i = 0; range.lower < range.upper && static_cast<double>(i) < std::min(count, most); ++i) {
+        visit(at + (first + static_cast<double>(i)) * period);
+    }
+}
 // The distance in space of two places of the plane.
 double gap_between(const Spline &surface, const Covering &covering, const Point2 &a, const Point2 &b);
 

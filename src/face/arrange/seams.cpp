@@ -42,11 +42,7 @@ Interval widest_gap(const TrimPieces &plane, const Covering &covering, int k) {
 // Calls visit(u) for all copies of the line u = at that a piece crosses.
 template <class Visit>
 void for_each_passage(const TrimPiece &piece, double at, double period, Visit &&visit) {
-    auto copy = static_cast<int64_t>(std::ceil((piece.lower[0] - at) / period));
-    const auto u = [&] { return at + static_cast<double>(copy) * period; };
-    for (; u() <= piece.upper[0] && piece.lower[0] < piece.upper[0]; ++copy) {
-        visit(u());
-    }
+    for_each_copy(at, period, {piece.lower[0], piece.upper[0]}, visit);
 }
 
 // The distance of a place on the seam of axis 0 from the nearest crossing of a piece with that seam.

@@ -29,12 +29,9 @@ std::vector<double> passages_of(const Covering &covering, const SplinePtr &curve
                 continue;
             }
             const auto at = static_cast<size_t>(k);
-            const double low = covering.domain(k).lower, period = covering.period(k);
-            auto copy = static_cast<int64_t>(std::ceil((piece.lower[at] - low) / period));
-            const auto seam = [&] { return low + static_cast<double>(copy) * period; };
-            for (; seam() <= piece.upper[at] && piece.lower[at] < piece.upper[at]; ++copy) {
-                places.push_back(parameter_at(piece, pieces.place_of(piece, k, seam())));
-            }
+            for_each_copy(
+                covering.domain(k).lower, covering.period(k), {piece.lower[at], piece.upper[at]},
+                [&](double seam) { places.push_back(parameter_at(piece, pieces.place_of(piece, k, seam))); });
         }
     }
     std::ranges::sort(places);
@@ -56,44 +53,39 @@ SplinePtr moved_back(const Covering &covering, const SplinePtr &part) {
     return inside == x ? part : refine::transform(*part, {2, 2, matrix}, move);
 }
 
-// Sets control points that are outside the domain by rounding to its ends, and notes how far they were off;
-// null if one is farther outside.
-SplinePtr set_inside(const Covering &covering, const SplinePtr &part, Point2 &off) {
-    const auto width = static_cast<size_t>(part->stored_width());
-    std::vector<double> points(part->points().begin(), part->points().end());
+} // namespace
+
+SplinePtr set_inside(const Covering &covering, const SplinePtr &curve, bool closed_too, Point2 &off) {
+    const auto width = static_cast<size_t>(curve->stored_width());
+    std::vector<double> points(curve->points().begin(), curve->points().end());
     bool changed = false;
-    for (int64_t i = 0; i < part->point_count(); ++i) {
+    for (int64_t i = 0; i < curve->point_count(); ++i) {
+        const double weight = curve->form() == Form::homogeneous ? curve->weight(i) : 1;
         for (const int k : {0, 1}) {
+            const auto axis = static_cast<size_t>(k);
             const auto [lower, upper] = covering.domain(k);
-            const double x = part->coordinate(i, k), inside = std::clamp(x, lower, upper);
-            if (std::abs(x - inside) > rounding * covering.reach(k)) {
-                return nullptr;
-            }
+            const double x = curve->coordinate(i, k),
+                         inside = closed_too || !covering.closed(k) ? std::clamp(x, lower, upper) : x;
             if (x != inside) {
-                double &most = off[static_cast<size_t>(k)];
-                most = std::max(most, std::abs(x - inside));
-                const double weight = part->form() == Form::homogeneous ? part->weight(i) : 1;
-                points[static_cast<size_t>(i) * width + static_cast<size_t>(k)] = inside * weight;
+                off[axis] = std::max(off[axis], std::abs(x - inside));
+                points[static_cast<size_t>(i) * width + axis] = inside * weight;
                 changed = true;
             }
         }
     }
-    return changed ? make_result(part->knot_vectors(), part->dim(), part->form(), std::move(points),
-                                 std::vector<double>(part->weights().begin(), part->weights().end()))
-                   : part;
+    return changed ? make_result(curve->knot_vectors(), curve->dim(), curve->form(), std::move(points),
+                                 std::vector<double>(curve->weights().begin(), curve->weights().end()))
+                   : curve;
 }
-
-} // namespace
 
 SeamParts seam_parts(const Covering &covering, const SplinePtr &curve) {
     const refine::PartedSpline parts = refine::split_axis(curve, 0, passages_of(covering, curve));
     SeamParts result;
     for (int64_t i = 0; i < parts.size(); ++i) {
-        const SplinePtr part = set_inside(covering, moved_back(covering, parts.part(i)), result.off);
-        if (part == nullptr) {
+        result.parts.push_back(set_inside(covering, moved_back(covering, parts.part(i)), true, result.off));
+        if (result.off[0] > rounding * covering.reach(0) || result.off[1] > rounding * covering.reach(1)) {
             return {};
         }
-        result.parts.push_back(part);
     }
     return result;
 }

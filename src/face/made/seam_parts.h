@@ -8,6 +8,10 @@
 
 namespace nrb::face {
 
+// A curve with the control points that are outside the domain set to its ends: on closed axes only if
+// closed_too, since curves may run on there. off: raised to the largest such step along each axis.
+SplinePtr set_inside(const Covering &covering, const SplinePtr &curve, bool closed_too, Point2 &off);
+
 struct SeamParts {
     std::vector<SplinePtr> parts;
     Point2 off{}; // how far, at most, control points were off the domain, to which they are set

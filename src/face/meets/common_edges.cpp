@@ -176,8 +176,10 @@ CommonEdge common_edge(const Face &a, const Coedge &on_a, const Face &b, const C
                        double tolerance) {
     const SplinePtr own = edge_of(a, on_a),
                     edge = clamped(on_a.against ? refine::reverse(*own, 0, false) : own);
-    const UnderEdge in_a = under(a, on_a, edge, false, true),
-                    in_b = under(b, on_b, edge, on_a.against != on_b.against, on_a.edge == on_b.edge);
+    const bool is_given = on_a.edge != nullptr;
+    const UnderEdge in_a = under(a, on_a, edge, false, is_given),
+                    in_b = under(b, on_b, edge, on_a.against != on_b.against,
+                                 is_given && on_a.edge == on_b.edge);
     const std::array<SplinePtr, 3> curves{edge, clamped(in_a.curve), clamped(in_b.curve)};
     const std::vector<SplinePtr> all = reduce::make_compatible(curves, 0, false).splines;
     const double size = size_of(*edge);

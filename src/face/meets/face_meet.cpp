@@ -5,6 +5,7 @@
 #include "base/watch.h"
 #include "closest/closest.h"
 #include "eval/curve_point.h"
+#include "face/made/seam_parts.h"
 #include "face/made/speeds.h"
 #include "face/meets/along_border.h"
 #include "face/meets/common_edges.h"
@@ -169,25 +170,11 @@ private:
     }
     // Moves a curve, and returns a bound on how far the points of the surface move.
     double move(SplinePtr &curve, size_t face) {
-        std::array<double, 2> most{};
-        const auto width = static_cast<size_t>(curve->stored_width());
-        std::vector<double> points(curve->points().begin(), curve->points().end());
-        for (int64_t i = 0; i < curve->point_count(); ++i) {
-            const double weight = curve->form() == Form::homogeneous ? curve->weight(i) : 1;
-            for (const int k : {0, 1}) {
-                const auto axis = static_cast<size_t>(k);
-                const double x = curve->coordinate(i, k), inside = clamped(x, face, k);
-                if (x != inside) {
-                    most[axis] = std::max(most[axis], std::abs(x - inside));
-                    points[static_cast<size_t>(i) * width + axis] = inside * weight;
-                }
-            }
-        }
-        if (most[0] == 0 && most[1] == 0) {
+        Point2 most{};
+        curve = set_inside(faces_[face]->covering(), curve, false, most);
+        if (most == Point2{}) {
             return 0;
         }
-        curve = make_result(curve->knot_vectors(), 2, curve->form(), std::move(points),
-                            std::vector<double>(curve->weights().begin(), curve->weights().end()));
         const std::array<double, 2> speeds = fastest(*ground_of(*faces_[face], true));
         return most[0] * speeds[0] + most[1] * speeds[1];
     }

@@ -54,9 +54,6 @@ FeetParts FeetSearch::run(double tolerance) {
         }
         pairs_ = std::exchange(next_, {});
     }
-    if (unbounded_) {
-        speeds_.fill(infinity);
-    }
     return std::move(found_);
 }
 

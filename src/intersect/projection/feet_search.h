@@ -39,7 +39,9 @@ public:
     // tolerance: in the frame. The arcs refer to cells of the search, and must not outlive it.
     FeetParts run(double tolerance);
     // After run(): bounds of the derivatives of points by u, v and t; infinite if parts without bounds are left.
-    [[nodiscard]] const std::array<double, 3> &speeds() const noexcept { return speeds_; }
+    [[nodiscard]] std::array<double, 3> speeds() const noexcept {
+        return unbounded_ ? std::array{infinity, infinity, infinity} : speeds_;
+    }
 
 private:
     using Sides = GraphArc<FeetBox, 3>::Sides;

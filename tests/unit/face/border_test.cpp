@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What of a face follows from its domain and its surface: what runs along its border, and where its poles are.
+#include "base/numbers.h"
+#include "face/made/seam_parts.h"
 #include "face/meets/along_border.h"
 #include "face_shapes.h"
 #include "refine/forms/transform.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace {
 
@@ -32,6 +36,32 @@ TEST(MovedFaces, HaveTheirPolesWhereTheSurfaceIs) {
     EXPECT_GE(moved.covering().pole_near(there, 1e-9).axis, 0);
     EXPECT_LT(moved.covering().pole_near(before, 1e-9).axis, 0);
     EXPECT_GE(face->covering().pole_near(before, 1e-9).axis, 0);
+}
+
+// Control points off an open axis are set to its end: weights and form stay, in homogeneous form too.
+TEST(SetInside, KeepsWeightsAndTellsTheLargestStep) {
+    const double off = 0x1p-10;
+    const face::Covering covering(*plane(), 0);
+    const SplinePtr given = circle({0.5, 0.5 + off}, 0.5);
+    std::vector<double> records;
+    for (int64_t i = 0; i < given->point_count(); ++i) {
+        const double w = given->weight(i);
+        records.insert(records.end(), {w * given->coordinate(i, 0), w * given->coordinate(i, 1), w});
+    }
+    const SplinePtr homogeneous =
+        make_spline(given->knot_vectors(), 2, Form::homogeneous, std::move(records));
+    for (const SplinePtr &curve : {given, homogeneous}) {
+        face::Point2 step{};
+        const SplinePtr inside = face::set_inside(covering, curve, false, step);
+        EXPECT_EQ(inside->form(), curve->form());
+        EXPECT_LE(step[0], 4 * eps); // of the division of homogeneous points
+        EXPECT_NEAR(step[1], off, 4 * eps);
+        for (int64_t i = 0; i < curve->point_count(); ++i) {
+            EXPECT_EQ(inside->weight(i), curve->weight(i));
+            EXPECT_NEAR(inside->coordinate(i, 0), curve->coordinate(i, 0), 4 * eps);
+            EXPECT_NEAR(inside->coordinate(i, 1), std::min(curve->coordinate(i, 1), 1.0), 4 * eps);
+        }
+    }
 }
 
 } // namespace
