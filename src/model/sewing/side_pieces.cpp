@@ -5,6 +5,7 @@
 #include "eval/curve_point.h"
 #include "face/deviation.h"
 #include "refine/parts/cut.h"
+#include "spline/part.h"
 
 #include <algorithm>
 
