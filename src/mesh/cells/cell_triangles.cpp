@@ -146,12 +146,32 @@ void CellTriangles::make_in_parts(Stops stops, const Cell &cell, std::vector<std
     make_in_parts(std::move(rest), cell, out);
 }
 
+// A pole is a side of the cell in the domain, but one point in space, so that it lies on the sides beside it as well:
+// with two places on one of these it would make a triangle without a width. Cuts off all stops at it but one; the
+// triangles have two corners there.
+void CellTriangles::cut_poles(const PlaceTable &table, Stops &stops,
+                              std::vector<std::array<int32_t, 3>> &out) {
+    for (size_t i = 0; i < stops.size() && stops.size() > 3;) {
+        const size_t next = (i + 1) % stops.size();
+        if (table.point_of(stops[i].place) != table.point_of(stops[next].place)) {
+            ++i;
+            continue;
+        }
+        out.push_back({stops[i].place, stops[next].place, stops[(i + 2) % stops.size()].place});
+        stops[i].sides |= stops[next].sides;
+        stops.erase(stops.begin() + static_cast<int64_t>(next));
+        i -= next < i ? 1 : 0;
+    }
+}
+
 void CellTriangles::make(const PlaceTable &table, const Cell &cell, const std::vector<int32_t> &border,
                          std::vector<std::array<int32_t, 3>> &out) {
     if (border.size() == 4) {
         return make_two(cell, border, out);
     }
-    make_in_parts(stops_of(table, cell, border), cell, out);
+    Stops stops = stops_of(table, cell, border);
+    cut_poles(table, stops, out);
+    make_in_parts(std::move(stops), cell, out);
 }
 
 } // namespace nrb::mesh

@@ -33,6 +33,7 @@ private:
                          std::vector<std::array<int32_t, 3>> &out);
     [[nodiscard]] Stops stops_of(const PlaceTable &table, const Cell &cell,
                                  const std::vector<int32_t> &border) const;
+    static void cut_poles(const PlaceTable &table, Stops &stops, std::vector<std::array<int32_t, 3>> &out);
     static void make_in_parts(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
     static void cut_ears(Stops stops, const Cell &cell, std::vector<std::array<int32_t, 3>> &out);
     [[nodiscard]] static size_t best_ear(const Stops &stops, const Cell &cell);
