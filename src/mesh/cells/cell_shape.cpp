@@ -20,7 +20,7 @@ constexpr double most_varied = 0.1;
 // certain; from far_over on, a half needs more than most_parts / 2 parts.
 constexpr double certainly_over = 2, far_over = 16;
 // The approximate weight of slopes in the bounds of MeshBound.
-constexpr double slope_times = 0.15;
+constexpr double slope_times = 0.05;
 
 Vector3 point_of(const double *corner) noexcept {
     return (1 / corner[3]) * Vector3{corner[0], corner[1], corner[2]};
@@ -70,11 +70,11 @@ double beside_sides(const HessianBox &box, size_t k) noexcept {
 
 CellBend bend_of(const HessianBox &box) noexcept {
     const Hessian &height = box.of(2);
-    const double w = box.least_weight();
+    const double w = box.mean_weight();
     const auto divided = [&](const Range &range) {
         return Range{range.middle / w, range.u / w, range.v / w, range.radius / w};
     };
-    const Hessian heights{divided(height.uu), divided(height.uv), divided(height.vv)};
+    const Hessian heights{divided(height.uu), divided(height.uv), divided(height.vv), height.rest / w};
     const double u = box.speed(0), v = box.speed(1), uv = heights.uv.most();
     return {heights,
             {beside_sides(box, 0) / w / 8, beside_sides(box, 1) / w / 8},
@@ -95,7 +95,8 @@ double over_triangle(const Hessian &h, const Place &a, const Place &b, const Pla
         return Four(vv, uu + 2 * h.uv.at(x[0], x[1]) * u * v + vv, uu, 0);
     };
     const double all = h.beside(u, v);
-    return Bend({bends(a), bends(b), bends(c)}, {h.vv.radius * v * v, all, h.uu.radius * u * u, all}).both();
+    return Bend({bends(a), bends(b), bends(c)}, {h.vv.radius * v * v, all, h.uu.radius * u * u, all}, h.rest)
+        .both();
 }
 
 } // namespace
@@ -124,7 +125,8 @@ double CellBend::in_parts(double u_parts, double v_parts) const noexcept {
         return Range{range.middle < 0 ? range.middle - away : range.middle + away, range.u, range.v,
                      range.radius};
     };
-    const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv)};
+    const double rest = heights.rest * (u * u * v * v); // its terms are of fourth order or higher
+    const Hessian h{part(heights.uu), part(heights.uv), part(heights.vv), rest};
     // Triangles are going to have the diagonal along which the surface bends less in the middle of the cell.
     const bool rising = std::abs(heights.along(u, v)) <= std::abs(heights.along(u, -v));
     const double height = rising ? std::max(over_triangle(h, {-a, -b}, {a, -b}, {a, b}),

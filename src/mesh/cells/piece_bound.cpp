@@ -52,25 +52,35 @@ void PieceBound::place_corners(const CutPolygon &polygon) {
             params_.push_back(std::clamp(place.at[k], block_.lower[k], block_.upper[k]));
         }
     }
-    // The surface is continuous in a block, so that limits from both sides agree at breaks inside. At its ends
-    // the limits are those from inside, each place by itself: the surface may jump at both ends.
-    const int dim = surface_.dim();
     values_.assign(static_cast<size_t>(n * 3), 0);
-    for (size_t i = 0; i < places.size(); ++i) {
-        const double *param = params_.data() + 2 * i;
-        eval::AxisRules rules{};
-        for (size_t k = 0; k < 2; ++k) {
-            rules[k].left = param[k] >= block_.upper[k];
+    for (int64_t first = 0, end = 0; first < n; first = end) {
+        const auto from_left = ends_at(first);
+        for (end = first + 1; end < n && ends_at(end) == from_left; ++end) {
         }
-        eval::evaluate_points(surface_, rules, 0, {param, 1, 2, 2, 1},
-                              {values_.data() + 3 * i, 1, dim, 3, 1});
+        evaluate(first, end, from_left);
     }
     corners_.clear();
     for (size_t i = 0; i < places.size(); ++i) {
         std::array<double, 8> placed{};
         nets_.grid().place(values_.data() + 3 * i, placed.data());
-        corners_.push_back({places[i].at, {placed[0], placed[1], dim == 3 ? placed[2] : 0}});
+        corners_.push_back({places[i].at, {placed[0], placed[1], surface_.dim() == 3 ? placed[2] : 0}});
     }
+}
+
+// Along which axes a place is at the upper end of the block. The surface is continuous in a block, so that limits from
+// both sides agree at breaks inside. At its ends the limits are those from inside: the surface may jump at both ends.
+std::array<bool, 2> PieceBound::ends_at(int64_t place) const noexcept {
+    const double *param = params_.data() + 2 * place;
+    return {param[0] >= block_.upper[0], param[1] >= block_.upper[1]};
+}
+
+void PieceBound::evaluate(int64_t first, int64_t end, const std::array<bool, 2> &from_left) {
+    eval::AxisRules rules{};
+    for (size_t k = 0; k < 2; ++k) {
+        rules[k].left = from_left[k];
+    }
+    eval::evaluate_points(surface_, rules, 0, {params_.data() + 2 * first, end - first, 2, 2, 1},
+                          {values_.data() + 3 * first, end - first, surface_.dim(), 3, 1});
 }
 
 // The box of the polygon in the domain, with the whole piece along an axis along which it has no extent.
@@ -119,7 +129,7 @@ bool PieceBound::is_enough(const CellPart &cell, double allowed) {
 
 void PieceBound::bound_parts(const CellPart &cell) {
     for (size_t i = 1; i + 1 < corners_.size(); ++i) {
-        bounds_[i - 1] = triangle_bound(part(i), {&cell, 1});
+        bounds_[i - 1] = triangle_bound(part(i), {&cell, 1}, true);
     }
 }
 

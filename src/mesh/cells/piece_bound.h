@@ -34,6 +34,8 @@ private:
         return {corners_[0], corners_[i], corners_[i + 1]};
     }
     void place_corners(const CutPolygon &polygon);
+    [[nodiscard]] std::array<bool, 2> ends_at(int64_t place) const noexcept;
+    void evaluate(int64_t first, int64_t end, const std::array<bool, 2> &from_left);
     void add_side(size_t side, const Vector3 &from, const Vector3 &to, double beside,
                   TriangleBound &result) const;
     [[nodiscard]] Rectangle around(const std::array<int64_t, 2> &piece) const noexcept;

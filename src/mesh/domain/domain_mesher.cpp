@@ -17,6 +17,9 @@ namespace {
 // Cells are cut until the estimated distance is within this share of the chord: the rest is room for what a
 // proof adds to an estimate.
 constexpr double share_of_estimate = 0.97;
+// The same where small angles are refined: vertices are then placed by the planes of triangles, which must not bend
+// much.
+constexpr double share_for_least_angle = 0.7;
 // Maximum number of rounds where edges are off the surface by more than the chord, which then is out of
 // reach.
 constexpr int most_rounds_off = 16;
@@ -71,7 +74,7 @@ bool DomainMesher::run() {
 
 CellRule DomainMesher::cell_rule() const {
     CellRule rule;
-    rule.chord = grid_.scaled(chord_) * share_of_estimate;
+    rule.chord = grid_.scaled(chord_) * (rule_.least_angle > 0 ? share_for_least_angle : share_of_estimate);
     rule.longest = grid_.scaled(longest_);
     rule.angle = angle_;
     rule.least = least_;
@@ -246,8 +249,8 @@ void DomainMesher::prove() {
     // as possible.
     const bool by_distance =
         chord_ < infinity && longest_ == 0 && angle_ == 0 && !work_ended() && cells_.tree().coarsening() == 1;
-    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()),
-                     by_distance ? grid_.scaled(chord_) * (1 - 1e-6) - slack_ : 0);
+    const double allowed = grid_.scaled(chord_) * (1 - 1e-6) - slack_;
+    triangles_.prove(proof_, static_cast<size_t>(sites_.point_count()), by_distance ? allowed : 0, allowed);
 }
 
 Distances DomainMesher::distances(size_t triangle) const noexcept {

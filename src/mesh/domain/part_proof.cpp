@@ -79,7 +79,8 @@ void PartProof::set_offs() {
 // The face may end before the surface over its triangles does, or go on beyond it. The region between counts
 // either by itself, as the `edge` of the bounds, or on top of everything, as part of `over`; the smaller
 // result is taken.
-void PartProof::prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out) {
+void PartProof::prove(std::span<const int32_t> wanted, double enough, double allowed,
+                      std::vector<Distances> &out) {
     gather(wanted);
     bound();
     set_offs();
@@ -96,7 +97,7 @@ void PartProof::prove(std::span<const int32_t> wanted, double enough, std::vecto
             return std::min(std::max(distance, edge) + by.moved, distance + by.over);
         };
         const TriangleBound &alone = bounds_[i];
-        const Distances all = mesh.distances(i, enough - around.over);
+        const Distances all = mesh.distances(i, enough - around.over, allowed - around.over);
         const double about = around.over > around.moved ? mesh.edge_about(i, all.from_mesh) : 0;
         out[i] = {
             std::min(off(alone.from_shape(), alone.edge, offs_[i]), off(all.from_shape, alone.edge, around)),

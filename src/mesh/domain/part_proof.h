@@ -21,9 +21,9 @@ public:
               std::span<const int32_t> wanted, TriangleOf triangle_of);
 
     // Bounds the distances of the wanted triangles of a part, including what moves their corners off the
-    // surface. Distances up to `enough` need no tighter bound; 0: all are bounded as tightly as possible. It
-    // is fastest if triangles that are neighbours in space are near each other in the order.
-    void prove(std::span<const int32_t> wanted, double enough, std::vector<Distances> &out);
+    // surface. Distances up to `enough` need no tighter bound; 0: all are bounded more tightly. What takes long
+    // is done only for distances above `allowed`. It is fastest if triangles that are neighbours in space are near each other in the order.
+    void prove(std::span<const int32_t> wanted, double enough, double allowed, std::vector<Distances> &out);
 
 private:
     [[nodiscard]] int32_t local_point(int32_t point);

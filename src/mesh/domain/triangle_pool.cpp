@@ -15,6 +15,8 @@ namespace {
 constexpr size_t triangles_of_a_part = 4096;
 // Of fewer triangles, all distances are bounded as tightly as possible: that takes next to no time.
 constexpr size_t least_to_hurry = 1024;
+// Of up to so many triangles, bounds are kept from round to round.
+constexpr size_t most_kept = 10000;
 
 float rounded_up(double x) noexcept {
     const auto near = static_cast<float>(x);
@@ -88,7 +90,8 @@ std::vector<int32_t> TrianglePool::beside_touched(size_t points) {
     return result;
 }
 
-void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
+void TrianglePool::prove(TriangleProof &proof, size_t points, double enough, double allowed) {
+    proof.keep(meshed_.size() <= most_kept);
     const std::vector<int32_t> wanted = beside_touched(points);
     distances_.reserve(sites_.size());
     distances_.resize(sites_.size());
@@ -98,7 +101,7 @@ void TrianglePool::prove(TriangleProof &proof, size_t points, double enough) {
     for (auto rest = std::span(std::as_const(wanted)); !rest.empty();) {
         const auto part = rest.last(std::min(triangles_of_a_part, rest.size()));
         rest = rest.first(rest.size() - part.size());
-        parts.prove(part, wanted.size() < least_to_hurry ? 0 : enough, found);
+        parts.prove(part, wanted.size() < least_to_hurry ? 0 : enough, allowed, found);
         for (size_t i = 0; i < part.size(); ++i) {
             distances_[static_cast<size_t>(part[i])] = {rounded_up(found[i].from_shape),
                                                         rounded_up(found[i].from_mesh)};

@@ -33,8 +33,8 @@ public:
     [[nodiscard]] size_t strip() const noexcept { return strip_; }
 
     // Bounds the distances of all new triangles, and of all that have a point in common with new or removed
-    // ones. points: how many there are; enough: distances up to that need no tighter bound.
-    void prove(TriangleProof &proof, size_t points, double enough);
+    // ones. points: how many there are; enough, allowed: as for PartProof::prove().
+    void prove(TriangleProof &proof, size_t points, double enough, double allowed);
 
     // Numbers go up to size(); has() tells which of them are triangles.
     [[nodiscard]] size_t size() const noexcept { return sites_.size(); }

@@ -60,6 +60,7 @@ void take_better(const TriangleBound &other, TriangleBound &bound) noexcept {
     for (size_t k = 0; k < 3; ++k) {
         take_better(other.sides[k], bound.sides[k]);
         take_better(other.outs[k], bound.outs[k]);
+        take_better(other.nears[k], bound.nears[k]);
     }
 }
 
@@ -83,7 +84,7 @@ size_t TriangleProof::Hash::operator()(const Key &key) const noexcept {
 
 ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
     if (triangle.cell >= 0) {
-        return in_cell(triangle);
+        return keeps_ ? known_in_cell(triangle) : in_cell(triangle);
     }
     const auto &s = triangle.sites;
     Key key{s[0], s[1], s[2]};
@@ -102,6 +103,8 @@ ProvenTriangle TriangleProof::of(const SiteTriangle &triangle) {
 void TriangleProof::take_border() {
     const FaceBorder &border = domain_.border;
     own_numbers_.clear();
+    kept_.clear();
+    kept_at_.clear();
     for (const BorderSegment &segment : border.segments) {
         const face::Point2 &a = border.points[static_cast<size_t>(segment.from)].param,
                            &b = border.points[static_cast<size_t>(segment.to)].param;
@@ -159,6 +162,24 @@ double TriangleProof::moved_beyond(const Rectangle &part, const Rectangle &block
         moved += beyond > room * block.side(k) ? infinity : 2 * beyond * cells_.tree().speed(k);
     }
     return moved;
+}
+
+ProvenTriangle TriangleProof::known_in_cell(const SiteTriangle &triangle) {
+    constexpr size_t most_kept = 8192;
+    const auto &s = triangle.sites;
+    kept_at_.resize(most_kept, -1);
+    int32_t &at = kept_at_[Hash{}({s[0], s[1], s[2]}) % most_kept];
+    if (at >= 0 && kept_[static_cast<size_t>(at)].sites == s) {
+        return kept_[static_cast<size_t>(at)].proven;
+    }
+    const Kept made{s, in_cell(triangle)};
+    if (at >= 0) {
+        kept_[static_cast<size_t>(at)] = made;
+    } else {
+        at = static_cast<int32_t>(kept_.size());
+        kept_.push_back(made);
+    }
+    return made.proven;
 }
 
 ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {

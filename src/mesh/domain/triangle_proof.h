@@ -32,6 +32,8 @@ public:
     // `chord`: distances within it need no tighter bound.
     TriangleProof(const MeshDomain &domain, const CellGrid &cells, const Sites &sites, double chord);
 
+    // Whether bounds of triangles of cells are kept. It pays where most of them are asked for again.
+    void keep(bool all) noexcept { keeps_ = all; }
     // In units of the grid. Bounds of triangles of the strip are kept, since most of these stay from one
     // round to the next.
     [[nodiscard]] ProvenTriangle of(const SiteTriangle &triangle);
@@ -54,6 +56,7 @@ private:
     };
     [[nodiscard]] Placed placed(const SiteTriangle &triangle) const;
     [[nodiscard]] ProvenTriangle in_cell(const SiteTriangle &triangle);
+    [[nodiscard]] ProvenTriangle known_in_cell(const SiteTriangle &triangle);
     [[nodiscard]] ProvenTriangle in_strip(const SiteTriangle &triangle);
     // For each side, how far in space places between it and its curve of the border are from it.
     using Moves = std::array<double, 3>;
@@ -81,6 +84,15 @@ private:
     CellNets nets_;
     PieceBound by_pieces_;
     std::unordered_map<Key, ProvenTriangle, Hash> known_;
+    // Bounds of triangles of cells, which the next round asks for again: all of a small mesh, and some of a large
+    // one. kept_at_: the number of the bound for each value of a hash of the sites, -1: none.
+    struct Kept {
+        std::array<int32_t, 3> sites;
+        ProvenTriangle proven;
+    };
+    std::vector<Kept> kept_;
+    std::vector<int32_t> kept_at_;
+    bool keeps_ = false;
     std::map<SegmentKey, int32_t> numbers_; // of all segments that there ever were
     std::vector<int32_t> own_numbers_;      // of the segments of the present border
 };

@@ -49,6 +49,7 @@ void Hessian::add(const Hessian &other) noexcept {
     join(other.uu, uu);
     join(other.uv, uv);
     join(other.vv, vv);
+    rest = infinity;
 }
 
 Hessian Hessian::in_units(double u, double v) const noexcept {
@@ -92,6 +93,9 @@ void HessianBox::add(int u_degree, int v_degree, const double *net, const std::a
     differences(rows, 1, first[1]);
     const std::array<double, 2> degrees{static_cast<double>(u_degree), static_cast<double>(v_degree)};
     add_second(first, degrees, factors, fresh);
+    if (fresh && factors == std::array{1.0, 1.0}) {
+        set_rests(rows);
+    }
     if (fresh) {
         by_coefficients_ = steps && is_coarse();
     }
@@ -120,6 +124,14 @@ void HessianBox::add_second(const std::array<CoefficientNet, 2> &first, const st
         }
     }
     set_sizes();
+}
+
+// Errors of coefficients count twice: at a place, and in the interpolant.
+void HessianBox::set_rests(const CoefficientNet &net) noexcept {
+    const Four rests = distances_from_cubics(net, of_) + Four(2 * noise_);
+    for (size_t c = 0; c < coordinates; ++c) {
+        of_[c].rest = rests[c];
+    }
 }
 
 void HessianBox::set_sizes() noexcept {
@@ -175,16 +187,18 @@ Hessian HessianBox::along(const Vector3 &d, const Vector3 &p) const noexcept {
     const std::array<double, coordinates> factors{dot(d, axes_[0]), dot(d, axes_[1]), dot(d, axes_[2]),
                                                   dot(d, origin_ - p)};
     Four uu, uv, vv;
+    double rest = 0;
     for (size_t c = 0; c < coordinates; ++c) {
         const double f = factors[c];
         const Four all(f, f, f, std::abs(f));
         uu = uu + four_of(of_[c].uu) * all;
         uv = uv + four_of(of_[c].uv) * all;
         vv = vv + four_of(of_[c].vv) * all;
+        rest += of_[c].rest * std::abs(f);
     }
     const double noise = 32 * eps * std::max(1.0, std::abs(factors[3]));
     return {range_of(uu + Four(0, 0, 0, noise * sums_[0])), range_of(uv + Four(0, 0, 0, noise * sums_[1])),
-            range_of(vv + Four(0, 0, 0, noise * sums_[2]))};
+            range_of(vv + Four(0, 0, 0, noise * sums_[2])), rest + noise * (sums_[0] + sums_[1] + sums_[2])};
 }
 
 // All coordinates at once, one in each lane.
@@ -234,6 +248,14 @@ HessianBox::First HessianBox::first(size_t k) const noexcept {
     result.radius = std::sqrt(result.radius);
     result.weight = std::abs(first_[k][3]) + differs(3);
     return result;
+}
+
+// The bilinear interpolant of the corners differs from a linear function by at most a quarter of its twist,
+// which is the mean of the mixed derivative.
+double HessianBox::weight_from_below(const std::array<double, 2> &place) const noexcept {
+    const Hessian &w = of_[3];
+    const double off = w.uv.most() / 4 + (w.uu.most() + w.vv.most()) / 8 + 8 * noise_;
+    return corner_weight_ + first_[0][3] * place[0] + first_[1][3] * place[1] - off;
 }
 
 // A function differs from the bilinear interpolant of its corners by at most an eighth of the largest second

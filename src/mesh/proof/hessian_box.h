@@ -28,8 +28,13 @@ struct Range {
 // The ranges of the second derivatives of a function of two parameters.
 struct Hessian {
     Range uu, uv, vv;
+    // Over the cell, the function is within `rest` of a polynomial that agrees with it at the corners, and
+    // whose second derivatives are those ranges without their radii. Infinity: there is no such polynomial,
+    // since the slopes of the ranges do not belong together, or none is known.
+    double rest = infinity;
 
-    // The second derivative along (u, v) at a place, without the radii, and the most that these add to it.
+    // along(): the second derivative along (u, v) at a place, without the radii; beside(): the most that these add
+    // to it.
     [[nodiscard]] double along(double u, double v, double x = 0, double y = 0) const noexcept {
         return uu.at(x, y) * u * u + 2 * uv.at(x, y) * u * v + vv.at(x, y) * v * v;
     }
@@ -63,6 +68,10 @@ public:
     [[nodiscard]] const std::array<Vector3, 3> &axes() const noexcept { return axes_; }
     [[nodiscard]] double least_weight() const noexcept { return least_weight_; }
     [[nodiscard]] double largest_weight() const noexcept { return largest_weight_; }
+    // A linear function that is nowhere greater than the weight, at a place about the middle of the cell, in
+    // sides of it.
+    [[nodiscard]] double weight_from_below(const std::array<double, 2> &place) const noexcept;
+    [[nodiscard]] double mean_weight() const noexcept { return corner_weight_; } // at the corners
     // Whether the weights are certainly positive.
     [[nodiscard]] bool certain() const noexcept { return least_weight_ > 0; }
 
@@ -100,6 +109,7 @@ private:
     [[nodiscard]] bool is_coarse() const noexcept;
     void add_second(const std::array<CoefficientNet, 2> &first, const std::array<double, 2> &degrees,
                     const std::array<double, 2> &factors, bool fresh) noexcept;
+    void set_rests(const CoefficientNet &net) noexcept;
     void set_sizes() noexcept;
     void add_first(const std::array<CoefficientNet, 2> &first, const std::array<double, 2> &factors) noexcept;
     void add_reach(const CoefficientNet &net) noexcept;

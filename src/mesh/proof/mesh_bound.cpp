@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/proof/mesh_bound.h"
 
+#include "mesh/proof/star_bound.h"
+#include "mesh/proof/views.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -8,29 +11,19 @@ namespace nrb::mesh {
 
 namespace {
 
-// Chords of 57 and 29 degrees.
-constexpr double most_turned = 0.95, most_turned_by_sides = 0.5;
-// TriangleBound::sines are for directions of view up to 30 degrees off the normal; the rest is room for
-// rounding.
-constexpr double share_of_sines = 0.99;
 constexpr double share_of_half_right = 0.94; // for images that come out within 45 degrees
 // Of the angles of two triangles at a common corner: if the first is less than most_own, or the second less
 // than most_other, both and 45 degrees add up to less than 360 degrees, as seen along the normal of the
 // first.
 constexpr double most_own = 2.35, most_other = 1.83;
-constexpr double more = 1 + 64 * eps;
-
-bool is_zero(const Vector3 &v) noexcept {
-    return v.x == 0 && v.y == 0 && v.z == 0;
-}
 
 } // namespace
 
 MeshBound::MeshBound(size_t points, std::span<const MeshTriangle> triangles,
                      std::span<const TriangleBound> bounds, std::span<const int32_t> wanted)
-    : triangles_(triangles), bounds_(bounds), points_(points), fans_(points, triangles, wanted) {
+    : bounds_(bounds), points_(points), neighbours_(points, triangles, wanted) {
     for (int32_t i = 0; i < static_cast<int32_t>(points); ++i) {
-        if (!fans_.of(i).empty()) {
+        if (!neighbours_.fan(i).empty()) {
             set_point(i);
         }
     }
@@ -38,15 +31,16 @@ MeshBound::MeshBound(size_t points, std::span<const MeshTriangle> triangles,
 
 void MeshBound::set_point(int32_t number) {
     Point &point = points_[static_cast<size_t>(number)];
-    const std::span<const int32_t> fan = fans_.of(number);
+    const std::span<const int32_t> fan = neighbours_.fan(number);
     for (const int32_t triangle : fan) {
         point.normal = point.normal + bounds_[static_cast<size_t>(triangle)].normal;
     }
-    point.normal = is_zero(point.normal) ? point.normal : unit(point.normal);
+    const bool none = point.normal.x == 0 && point.normal.y == 0 && point.normal.z == 0;
+    point.normal = none ? point.normal : unit(point.normal);
     for (size_t i = 0; i < fan.size(); ++i) {
         const auto triangle = static_cast<size_t>(fan[i]);
         for (size_t k = 0; k < 3 && (i == 0 || fan[i - 1] != fan[i]); ++k) {
-            if (triangles_[triangle].points[k] == number) {
+            if (neighbours_[triangle].points[k] == number) {
                 add_corner(triangle, k, point);
             }
         }
@@ -60,7 +54,7 @@ void MeshBound::set_point(int32_t number) {
 
 void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const noexcept {
     const TriangleBound &bound = bounds_[triangle];
-    const double turned = is_zero(bound.normal) ? 2 : length(bound.normal - point.normal) + 8 * eps;
+    const double turned = bound.has_plane() ? length(bound.normal - point.normal) + 8 * eps : 2;
     point.turned = std::max(point.turned, turned);
     point.angle += bound.angles[corner];
     point.altitude = std::min(point.altitude, bound.altitude);
@@ -68,9 +62,8 @@ void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const n
     point.out = std::max(point.out, bound.out);
     point.beside = std::max(point.beside, bound.beside);
     for (size_t k = 0; k < 3; ++k) {
-        if (k != corner && triangles_[triangle].border[k]) {
+        if (k != corner && neighbours_[triangle].border[k]) {
             point.on_border = true;
-            point.border = std::max(point.border, bound.sides[k]);
         }
     }
 }
@@ -86,25 +79,9 @@ MeshBound::Around MeshBound::around(size_t triangle) const noexcept {
         all.height = std::max(all.height, point.height);
         all.out = std::max(all.out, point.out);
         all.beside = std::max(all.beside, point.beside);
-        all.border = std::max(all.border, point.border);
+        all.on_border = all.on_border || point.on_border;
     }
     return all;
-}
-
-// Searches the smaller of the fans at the two ends: at a pole a fan may be large.
-MeshBound::Neighbour MeshBound::across(size_t triangle, size_t side) const noexcept {
-    const int32_t from = triangles_[triangle].points[(side + 1) % 3],
-                  to = triangles_[triangle].points[(side + 2) % 3];
-    const std::span<const int32_t> a = fans_.of(from), b = fans_.of(to);
-    for (const int32_t other : a.size() <= b.size() ? a : b) {
-        const auto &p = triangles_[static_cast<size_t>(other)].points;
-        for (size_t k = 0; k < 3; ++k) {
-            if (p[(k + 1) % 3] == to && p[(k + 2) % 3] == from) {
-                return {other, k};
-            }
-        }
-    }
-    return {};
 }
 
 // Whether, at the ends of a side, the surface over the triangle comes out within the angles of the triangle
@@ -128,21 +105,22 @@ bool MeshBound::is_beside(size_t triangle, size_t side, const Neighbour &next) c
 
 Distances MeshBound::over_side(size_t triangle, size_t side) const noexcept {
     const TriangleBound &own = bounds_[triangle];
-    const Neighbour next = across(triangle, side);
+    const Neighbour next = neighbours_.across(triangle, side);
     if (next.triangle < 0 || !is_beside(triangle, side, next)) {
         return {infinity, infinity};
     }
     const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
     const double cosine = dot(own.normal, other.normal) - 8 * eps,
                  sine = length(cross(own.normal, other.normal)) + 8 * eps;
-    return {own.height + own.outs[side] * (sine / cosine),
-            std::max(other.height * cosine + other.outs[next.side] * sine, other.height / cosine)};
+    const double near = own.height_over(side), beside = other.height_over(next.side);
+    return {near + own.outs[side] * (sine / cosine),
+            std::max(beside * cosine + other.outs[next.side] * sine, beside / cosine)};
 }
 
 Distances MeshBound::over_border(size_t triangle, size_t side) const noexcept {
     const TriangleBound &own = bounds_[triangle];
     const bool along = own.turns[(side + 1) % 3][1] < infinity && own.turns[(side + 2) % 3][0] < infinity;
-    return {along ? diagonal(own.height, own.outs[side]) : infinity, own.sides[side]};
+    return {along ? diagonal(own.height_over(side), own.outs[side]) : infinity, own.sides[side]};
 }
 
 // For the chord c of the angle a, cos a = 1 - c^2 / 2 and sin a <= c, so that tan a <= c / cos a. Let x be a
@@ -152,7 +130,8 @@ Distances MeshBound::over_border(size_t triangle, size_t side) const noexcept {
 Distances MeshBound::by_star(size_t triangle, const Around &around) const noexcept {
     const double cosine = 1 - around.turned * around.turned / 2;
     const double slope = around.turned / cosine, parting = 2.1 * around.turned / (cosine * cosine);
-    return {(bounds_[triangle].height + bounds_[triangle].out * slope) * more,
+    const TriangleBound &own = bounds_[triangle];
+    return {std::max(own.height, own.height_beyond() + own.out * slope) * more,
             (around.height / cosine + (around.out + around.height * slope) * parting) * more};
 }
 
@@ -161,7 +140,7 @@ Distances MeshBound::by_sides(size_t triangle) const noexcept {
     Distances result{own.height, own.height};
     for (size_t k = 0; k < 3; ++k) {
         const Distances over =
-            triangles_[triangle].border[k] ? over_border(triangle, k) : over_side(triangle, k);
+            neighbours_[triangle].border[k] ? over_border(triangle, k) : over_side(triangle, k);
         result.from_shape = std::max(result.from_shape, over.from_shape * more);
         result.from_mesh = std::max(result.from_mesh, over.from_mesh * more);
     }
@@ -172,7 +151,8 @@ double MeshBound::edge_about(size_t triangle, double from_mesh) const noexcept {
     const TriangleBound &own = bounds_[triangle];
     double result = own.edge;
     for (size_t k = 0; k < 3; ++k) {
-        const Neighbour next = triangles_[triangle].border[k] ? Neighbour{} : across(triangle, k);
+        const Neighbour next =
+            neighbours_[triangle].border[k] ? Neighbour{} : neighbours_.across(triangle, k);
         const double edge = next.triangle < 0 ? 0 : bounds_[static_cast<size_t>(next.triangle)].edge;
         if (edge > 0) {
             const TriangleBound &other = bounds_[static_cast<size_t>(next.triangle)];
@@ -187,7 +167,7 @@ double MeshBound::edge_about(size_t triangle, double from_mesh) const noexcept {
 }
 
 // The star comes first, since it takes the least time.
-Distances MeshBound::distances(size_t triangle, double enough) const {
+Distances MeshBound::distances(size_t triangle, double enough, double allowed) const {
     const TriangleBound &own = bounds_[triangle];
     Distances best{own.from_shape(), own.from_mesh()};
     const auto take = [&](const Distances &other) {
@@ -196,12 +176,15 @@ Distances MeshBound::distances(size_t triangle, double enough) const {
     };
     const Around all = around(triangle);
     const double cosine = 1 - all.turned * all.turned / 2;
-    if (all.border == 0 && all.turned < most_turned &&
+    if (!all.on_border && all.turned < most_turned &&
         std::max(all.out + all.height, all.beside) < 0.99 * all.altitude * cosine) {
         take(by_star(triangle, all));
     }
     if (!(best.most() <= enough)) {
         take(by_sides(triangle));
+    }
+    if (!(best.most() <= allowed) && own.height <= allowed && !all.on_border && all.turned < 2) {
+        take(star_bound(neighbours_, bounds_, triangle, allowed));
     }
     return best;
 }

@@ -25,13 +25,14 @@
 // side (`turns` of triangle_bound.h), and the one within which the image of the other side of U at P comes
 // inside (`leans`). Let that image come out of U within 45 degrees only.
 // - A point x of S(T) that comes out over a side is within the angles of U at both ends of it, and so over U.
-//   Let h be its height above the plane of T, r its distance from the side in that plane, and b the angle
-//   between the planes: then the distance of x is at most h + r tan b.
+//   Let h be its height above the plane of T (`nears` of triangle_bound.h bounds it), r its distance from the
+//   side in that plane, and b the angle between the planes: then the distance of x is at most h + r tan b.
 // - As seen from P, the images of the other sides of U are not over T. So the image of the border of T and
 //   all its U together winds around each point p of T as that border does: once. Hence some point x of their
 //   surface is over p. If it belongs to an S(U), consider a plane perpendicular to the common side. There x
 //   is at the height h' above U, and may be beyond the side by r'. Turned by b, its height above T is at most
-//   h' cos b + r' sin b, or h' / cos b if its foot is not beyond the side.
+//   h' cos b + r' sin b, or h' / cos b if its foot is not beyond the side. As seen along n, x comes out over the
+//   side, so that h' is bounded by the `nears` of U.
 // - Where a side of T is on the border of the mesh, S(T) may come out over it, and the image of the side may
 //   come inside. Let the side move to its image along straight lines: where it passes a point p of T, the
 //   image is no farther from p than it is from the side.
@@ -41,7 +42,7 @@
 //   along it, and r' is at most the distance of x from the border side of U.
 #pragma once
 
-#include "mesh/proof/point_fans.h"
+#include "mesh/proof/neighbours.h"
 #include "mesh/proof/triangle_bound.h"
 
 #include <cstdint>
@@ -50,14 +51,6 @@
 
 namespace nrb::mesh {
 
-// Of one triangle T. from_shape: how far the part of the surface that T stands for is from the mesh;
-// from_mesh: how far T is from the surface.
-struct Distances {
-    double from_shape = 0, from_mesh = 0;
-
-    [[nodiscard]] double most() const noexcept { return std::max(from_shape, from_mesh); }
-};
-
 class MeshBound {
 public:
     // bounds: those of all triangles. wanted: the triangles whose distances will be asked for.
@@ -65,8 +58,9 @@ public:
               std::span<const int32_t> wanted);
 
     // The distances of a wanted triangle. They are for all of the surface over the triangles, regardless of
-    // where the face ends. Bounds of at most `enough` are not improved any further.
-    [[nodiscard]] Distances distances(size_t triangle, double enough) const;
+    // where the face ends. Bounds of at most `enough` are not improved any further, and those of at most `allowed`
+    // not by what takes long.
+    [[nodiscard]] Distances distances(size_t triangle, double enough, double allowed) const;
     // Bounds the distance of points of a wanted triangle from the face where the points of the surface near
     // them lie beyond its border. from_mesh: their distance from those points.
     [[nodiscard]] double edge_about(size_t triangle, double from_mesh) const noexcept;
@@ -79,32 +73,26 @@ private:
         bool on_border = false;
         double turned = 0; // of a normal from the mean, as a chord of the unit sphere
         double altitude = infinity, height = 0, out = 0, beside = 0;
-        double border = 0; // distance of the images of border sides from these
     };
     void set_point(int32_t number);
     void add_corner(size_t triangle, size_t corner, Point &point) const noexcept;
     struct Around {
-        double turned = 0, altitude = infinity, height = 0, out = 0, beside = 0, border = 0;
+        double turned = 0, altitude = infinity, height = 0, out = 0, beside = 0;
+        bool on_border = false;
     };
     [[nodiscard]] Around around(size_t triangle) const noexcept;
     [[nodiscard]] Distances by_star(size_t triangle, const Around &around) const noexcept;
     [[nodiscard]] Distances by_sides(size_t triangle) const noexcept;
     [[nodiscard]] const Point &point_of(size_t triangle, size_t corner) const noexcept {
-        return points_[static_cast<size_t>(triangles_[triangle].points[corner % 3])];
+        return points_[static_cast<size_t>(neighbours_[triangle].points[corner % 3])];
     }
-    struct Neighbour {
-        int32_t triangle = -1;
-        size_t side = 0;
-    };
-    [[nodiscard]] Neighbour across(size_t triangle, size_t side) const noexcept;
     [[nodiscard]] bool is_beside(size_t triangle, size_t side, const Neighbour &next) const noexcept;
     [[nodiscard]] Distances over_side(size_t triangle, size_t side) const noexcept;
     [[nodiscard]] Distances over_border(size_t triangle, size_t side) const noexcept;
 
-    std::span<const MeshTriangle> triangles_;
     std::span<const TriangleBound> bounds_;
     std::vector<Point> points_;
-    PointFans fans_;
+    Neighbours neighbours_;
 };
 
 } // namespace nrb::mesh

@@ -53,7 +53,7 @@ public:
     [[nodiscard]] double weighed() const noexcept {
         return certain() ? largest_weight_ / least_weight_ * (1 + 4 * eps) : infinity;
     }
-    [[nodiscard]] TriangleBound bound() const noexcept;
+    [[nodiscard]] TriangleBound bound(bool alone) const noexcept;
     [[nodiscard]] double equal_parameters() const noexcept;
 
 private:
@@ -64,6 +64,8 @@ private:
     [[nodiscard]] Four beside(const Hessian &h) const noexcept {
         return (uu_ * h.uu.radius + abs(uv_) * h.uv.radius + vv_ * h.vv.radius) * rounding;
     }
+    [[nodiscard]] InverseWeights inverse_weights() const noexcept;
+    [[nodiscard]] bool at_corners() const noexcept;
     [[nodiscard]] Bend bend(const Vector3 &d, const Vector3 &p) const noexcept;
     [[nodiscard]] double beside_segment() const noexcept;
     [[nodiscard]] double from_a_side(const TriangleBound &bound) const noexcept;
@@ -81,9 +83,11 @@ private:
         double in;               // l_E in: how far the image of the side comes inside, with heights
     };
     [[nodiscard]] Turning turning(size_t side, const Bend &across, double high, double area) const noexcept;
+    [[nodiscard]] static double share_of(const Turning &over) noexcept;
     [[nodiscard]] double turn(size_t k, size_t side, const Turning &over, const Four &bends) const noexcept;
     [[nodiscard]] double lean(size_t side, const Turning &over, const Four &bends) const noexcept;
     [[nodiscard]] Four bends_about(size_t k) const noexcept;
+    [[nodiscard]] Four bends_along(size_t side, double sign, size_t k) const noexcept;
     void set_turns(const std::array<Turning, 3> &over, TriangleBound &result) const noexcept;
 
     const std::array<TriangleCorner, 3> &corners_;
@@ -120,7 +124,33 @@ Bend Triangle::bend(const Vector3 &d, const Vector3 &p) const noexcept {
         const auto [x, y] = places_[m];
         return uu_ * h.uu.at(x, y) + uv_ * h.uv.at(x, y) + vv_ * h.vv.at(x, y);
     };
-    return {{at(0), at(1), at(2)}, beside(h)};
+    // What is beside the polynomial is 0 at the corners of the cell; at others it is in the interpolant as well.
+    return {{at(0), at(1), at(2)}, beside(h), (at_corners() ? 1 + 1e-6 : 2) * h.rest};
+}
+
+// By a linear function below the weights of a single cell, or by their least one, whichever is greater at the corners
+// on the whole.
+InverseWeights Triangle::inverse_weights() const noexcept {
+    Values roots{};
+    if (cells_.size() == 1) {
+        for (size_t k = 0; k < 3; ++k) {
+            roots[k] = std::sqrt(std::max(cells_.front().box->weight_from_below(places_[k]), 0.0));
+        }
+    }
+    if (const double least = std::sqrt(least_weight_);
+        !(roots[0] * roots[1] * roots[2] > least * least * least)) {
+        roots.fill(least);
+    }
+    const auto pair = [&](size_t i, size_t j) { return 1 / (roots[i] * roots[j]); };
+    return {{pair(1, 2), pair(2, 0), pair(0, 1)}, 1 / least_weight_};
+}
+
+// Whether all corners are corners of the cell, to rounding.
+bool Triangle::at_corners() const noexcept {
+    constexpr double room = 1e-9;
+    return std::ranges::all_of(places_, [](const auto &place) {
+        return std::abs(std::abs(place[0]) - 0.5) < room && std::abs(std::abs(place[1]) - 0.5) < room;
+    });
 }
 
 // The distance of a point of S from the point of the triangle at equal parameters. With the vectors
@@ -265,6 +295,11 @@ Triangle::Turning Triangle::turning(size_t side, const Bend &across, double high
     return {out, share, (1 + share) * high, across.rising(side) / 2 + high};
 }
 
+// The surface comes out only where l_K <= p l_E, and as well l_K <= p l_P: where l_K <= p (1 - l_K) / 2.
+double Triangle::share_of(const Turning &over) noexcept {
+    return over.share < infinity ? over.share / (2 + over.share) : 1;
+}
+
 double Triangle::turn(size_t k, size_t side, const Turning &over, const Four &bends) const noexcept {
     const size_t opposite = 3 - k - side;
     const double along = least_weight_ * lengths_[side] - bends[side] / 2 -
@@ -280,13 +315,18 @@ void Triangle::set_turns(const std::array<Turning, 3> &over, TriangleBound &resu
     for (size_t k = 0; k < 3; ++k) {
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         auto &turns = result.turns[k];
-        const auto set = [&](const Four &bends) {
-            turns = {turn(k, i, over[i], bends), turn(k, j, over[j], bends)};
-            result.leans[k] = {lean(i, over[i], bends), lean(j, over[j], bends)};
+        const auto set = [&](const Four &along_i, const Four &along_j) {
+            turns = {turn(k, i, over[i], along_i), turn(k, j, over[j], along_j)};
+            result.leans[k] = {lean(i, over[i], along_i), lean(j, over[j], along_j)};
         };
-        set(bends_);
-        if (!(std::max(turns[0], turns[1]) < result.sines[k] / 2)) {
-            set(bends_about(k));
+        const auto wide = [&] { return !(std::max(turns[0], turns[1]) < result.sines[k] / 2); };
+        set(bends_, bends_);
+        if (wide()) {
+            const Four bends = bends_about(k);
+            set(bends, bends);
+        }
+        if (wide()) {
+            set(bends_along(i, -1, k), bends_along(j, 1, k));
         }
     }
 }
@@ -301,7 +341,13 @@ Four Triangle::bends_about(size_t k) const noexcept {
     return beside(over_cells([&](const HessianBox &box) { return box.size(corners_[k].point); }));
 }
 
-TriangleBound Triangle::bound() const noexcept {
+// The largest second derivatives of the component of V along a side, away from corner k.
+Four Triangle::bends_along(size_t side, double sign, size_t k) const noexcept {
+    const Bend along = bend(sign * inverse_[side] * sides_[side], corners_[k].point);
+    return {along.rising(0), along.rising(1), along.rising(2), 0};
+}
+
+TriangleBound Triangle::bound(bool alone) const noexcept {
     const Vector3 product = cross(sides_[0], sides_[1]);
     const double area = length(product);
     if (!(area > 1e-12 * longest_ * longest_)) { // no well-defined plane
@@ -320,26 +366,29 @@ TriangleBound Triangle::bound() const noexcept {
     result.flat = flat;
     result.weighed = weighed();
     result.altitude = area / longest_ * (1 - 16 * eps);
-    const double per_weight = 1 / least_weight_;
-    result.height = (heights.both() * per_weight + flat) * rounding;
+    const InverseWeights inverse = inverse_weights();
+    result.height = (heights.both(inverse) + flat) * rounding;
     const double high = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
     std::array<Turning, 3> over;
     for (size_t k = 0; k < 3; ++k) {
         const Bend across = bend(cross(inverse_[k] * sides_[k], normal), corner(k + 1).point);
         over[k] = turning(k, across, high, area);
+        result.nears[k] = (heights.near_side(k, share_of(over[k]), inverse) + flat) * rounding;
         result.sines[k] = sine(k, area);
+        result.altitudes[k] = area * inverse_[k] * (1 - 16 * eps);
         result.angles[k] = angle_at(k);
         const double below = least_weight_ * area * inverse_[k];
-        result.outs[k] = across.above(k, below / rounding) * per_weight + slack;
+        result.outs[k] = across.above(k, below / rounding, inverse) + slack;
         result.out = std::max(result.out, result.outs[k]);
         const bool along = runs_along(k);
-        const double beside =
-            along ? diagonal(heights.on_side(k), across.on_side(k)) * per_weight + slack : equal_parameters();
+        const double beside = along
+                                  ? diagonal(heights.on_side(k, inverse), across.on_side(k, inverse)) + slack
+                                  : equal_parameters();
         result.sides[k] = beside * rounding;
         result.beside = std::max(result.beside, result.sides[k]);
-        result.bends[k] = heights.largest(k) * per_weight * rounding;
+        result.bends[k] = heights.largest(k) * inverse.most * rounding;
         if (along) {
-            result.across[k] = (across.on_side(k) * per_weight + slack) * rounding;
+            result.across[k] = (across.on_side(k, inverse) + slack) * rounding;
         }
     }
     result.out *= sharpness();
@@ -353,17 +402,19 @@ TriangleBound Triangle::bound() const noexcept {
     for (double &out : result.outs) {
         out = std::min(out * rounding, result.out);
     }
-    set_turns(over, result);
+    if (!alone) {
+        set_turns(over, result);
+    }
     return result;
 }
 
 } // namespace
 
-TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
-                             std::span<const CellPart> cells) noexcept {
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells,
+                             bool alone) noexcept {
     const Triangle triangle(corners, cells);
     if (triangle.certain()) {
-        return triangle.bound();
+        return triangle.bound(alone);
     }
     TriangleBound result;
     result.height = result.beside = infinity;

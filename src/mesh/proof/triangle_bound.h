@@ -21,6 +21,7 @@
 
 #include "mesh/proof/hessian_box.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -58,6 +59,9 @@ struct TriangleBound {
     double beside = 0;             // distance of the images of the sides from these
     std::array<double, 3> sides{}; // the same for each side
     std::array<double, 3> outs{};  // how far, in the plane, the surface comes out over each side
+    // The height of the surface where it comes out over each side, as seen along a direction up to 30 degrees
+    // off the normal.
+    std::array<double, 3> nears{infinity, infinity, infinity};
     // across: distance of the images of the sides from these in the plane alone. bends: the second
     // derivatives of the height along the sides. flat: what the corners add to the height, since they are in
     // the plane only to rounding.
@@ -79,6 +83,7 @@ struct TriangleBound {
     double weighed = infinity;             // places between corners move at most this times as far
     std::array<double, 3> angles{4, 4, 4}; // at the corners, from above
     double altitude = 0;                   // the least one, from below
+    std::array<double, 3> altitudes{};     // of each corner, from below
     Vector3 normal{};                      // 0: the triangle has none
 
     // For the triangle by itself: the distance of its part of the surface from it, and its distance from the
@@ -87,12 +92,31 @@ struct TriangleBound {
         return std::min(diagonal(height, out) * (1 + 4 * eps), whole);
     }
     [[nodiscard]] double from_mesh() const noexcept { return std::max(height, beside); }
+    // The height of the surface where it comes out over a side, and where it comes out over any.
+    [[nodiscard]] double height_over(size_t side) const noexcept { return std::min(height, nears[side]); }
+    [[nodiscard]] double height_beyond() const noexcept {
+        return std::max({height_over(0), height_over(1), height_over(2)});
+    }
+    [[nodiscard]] bool has_plane() const noexcept { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
+};
+
+// The angle between two normals, as a chord of the unit sphere, from above: 2 where a triangle has none.
+inline double chord_between(const TriangleBound &a, const TriangleBound &b) noexcept {
+    return a.has_plane() && b.has_plane() ? length(a.normal - b.normal) + 8 * eps : 2;
+}
+
+// Of one triangle T. from_shape: how far the part of the surface that T stands for is from the mesh; from_mesh:
+// how far T is from the surface.
+struct Distances {
+    double from_shape = 0, from_mesh = 0;
+
+    [[nodiscard]] double most() const noexcept { return std::max(from_shape, from_mesh); }
 };
 
 // Precondition: the cells cover the triangle. The corners may be rounded; what that moves comes on top of
-// these bounds. Infinite where weights may not be positive.
-TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners,
-                             std::span<const CellPart> cells) noexcept;
+// these bounds. Infinite where weights may not be positive. alone: what neighbours ask for is not wanted (turns, leans).
+TriangleBound triangle_bound(const std::array<TriangleCorner, 3> &corners, std::span<const CellPart> cells,
+                             bool alone = false) noexcept;
 // A bound on the distance between points of the surface and of the triangle at equal parameters. It is a
 // bound on both distances, too, and takes less time than triangle_bound().
 double equal_parameter_bound(const std::array<TriangleCorner, 3> &corners,

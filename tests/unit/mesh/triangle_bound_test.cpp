@@ -5,11 +5,14 @@
 #include "eval/evaluate.h"
 #include "mesh/proof/distance.h"
 #include "mesh/proof/mesh_bound.h"
+#include "mesh/proof/pairs.h"
+#include "mesh/proof/star_bound.h"
 #include "support/generators.h"
 #include "unit/shapes.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
+#include <numeric>
 
 namespace triangle_bound_test {
 
@@ -157,6 +160,153 @@ TEST(TriangleBound, holds_for_samples) {
         EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
         EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
     }
+}
+
+// The two triangles of cells, whose corners are those of the cell: there the surface is the polynomial that it is compared with.
+TEST(TriangleBound, holds_for_samples_of_cells) {
+    support::Random random(20261130);
+    for (int i = 0; i < 400; ++i) {
+        Measured measured(surface(random, random.whole(1, 6), 1, random.chance(60), random.between(0, 1)));
+        const double w = random.magnitude(0.01, 1), h = random.magnitude(0.01, 1),
+                     u = random.between(0, 1 - w), v = random.between(0, 1 - h);
+        const std::array<Param, 4> cell{{{u, v}, {u + w, v}, {u + w, v + h}, {u, v + h}}};
+        const auto k = static_cast<size_t>(random.whole(0, 3));
+        const std::array<Param, 3> params{cell[k], cell[(k + 1) % 4], cell[(k + 2) % 4]};
+        const auto sampled = measured.sampled(params, 16);
+        const TriangleBound bound = measured.bound(params);
+        EXPECT_LE(sampled.from_shape, bound.from_shape() + 1e-12) << i;
+        EXPECT_LE(sampled.from_mesh, bound.from_mesh() + sampled.step + 1e-12) << i;
+    }
+}
+
+// As seen along any direction near the normal, what comes out over a side is no higher than it is told.
+TEST(TriangleBound, heights_beyond_sides_hold_for_samples) {
+    support::Random random(30);
+    int beyond = 0;
+    for (int i = 0; i < 300; ++i) {
+        Measured measured(surface(random, random.whole(2, 5), 1, random.chance(60), random.between(0, 1)));
+        const auto params = random_triangle(random, {0, 0}, {1, 1}, random.magnitude(0.05, 0.5));
+        const TriangleBound bound = measured.bound(params);
+        if (!bound.has_plane()) {
+            continue;
+        }
+        const auto corners = measured.corners(params);
+        const Vector3 tilt =
+            unit(bound.normal + random.between(0, 0.5) * unit(corners[1].point - corners[0].point) +
+                 random.between(0, 0.2) * unit(corners[2].point - corners[0].point));
+        const Vector3 view = dot(tilt, bound.normal) > std::cos(std::numbers::pi / 6) ? tilt : bound.normal;
+        constexpr int n = 24;
+        for (int a = 0; a <= n; ++a) {
+            for (int b = 0; a + b <= n; ++b) {
+                const std::array<double, 3> l{a / double{n}, b / double{n}, (n - a - b) / double{n}};
+                Param at{};
+                for (size_t k = 0; k < 3; ++k) {
+                    at = {at[0] + l[k] * params[k][0], at[1] + l[k] * params[k][1]};
+                }
+                const Vector3 x = measured.point(at);
+                for (size_t k = 0; k < 3; ++k) {
+                    const Vector3 &from = corners[(k + 1) % 3].point,
+                                  side = corners[(k + 2) % 3].point - from;
+                    if (dot(cross(side, view), x - from) > 1e-12) {
+                        ++beyond;
+                        EXPECT_LE(std::abs(dot(bound.normal, x - from)), bound.height_over(k) + 1e-12) << i;
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GE(beyond, 1000);
+}
+
+// A cubic over a triangle, divided by a linear weight.
+TEST(Bend, bounds_hold_for_samples) {
+    support::Random random(5);
+    double most = 0;
+    for (int i = 0; i < 500; ++i) {
+        std::array<double, 7> c{}; // of a, b, c, and of the third derivatives
+        for (double &x : c) {
+            x = random.between(-1, 1) * (random.chance(70) ? 1 : 0.01);
+        }
+        const auto value = [&](double x, double y) {
+            return c[0] * x * x + c[1] * x * y + c[2] * y * y + c[3] * x * x * x + c[4] * x * x * y +
+                   c[5] * x * y * y + c[6] * y * y * y;
+        };
+        const std::array<Param, 3> at{{{0, 0}, {1, 0}, {0, 1}}};
+        std::array<Four, 3> q;
+        for (size_t m = 0; m < 3; ++m) {
+            const auto [x, y] = at[m];
+            const double uu = 2 * c[0] + 6 * c[3] * x + 2 * c[4] * y, uv = c[1] + 2 * c[4] * x + 2 * c[5] * y,
+                         vv = 2 * c[2] + 2 * c[5] * x + 6 * c[6] * y;
+            q[m] = Four(uu - 2 * uv + vv, vv, uu, 0); // along the sides opposite the corners
+        }
+        const Bend bend(q, Four(), infinity);
+        const std::array<double, 3> w{random.between(0.3, 2), random.between(0.3, 2), random.between(0.3, 2)};
+        const auto root = [&](size_t a, size_t b) { return 1 / std::sqrt(w[a] * w[b]); };
+        const InverseWeights inverse{{root(1, 2), root(2, 0), root(0, 1)}, 1 / std::min({w[0], w[1], w[2]})};
+        constexpr int n = 20;
+        double largest = 0;
+        for (int a = 0; a <= n; ++a) {
+            for (int b = 0; a + b <= n; ++b) {
+                const std::array<double, 3> l{a / double{n}, b / double{n}, (n - a - b) / double{n}};
+                const double plain = l[0] * value(0, 0) + l[1] * value(1, 0) + l[2] * value(0, 1) -
+                                     value(l[1], l[2]),
+                             weight = l[0] * w[0] + l[1] * w[1] + l[2] * w[2], found = plain / weight;
+                largest = std::max(largest, std::abs(found));
+                EXPECT_LE(std::abs(plain), bend.both() + 1e-14) << i;
+                EXPECT_LE(-plain, bend.above() + 1e-14) << i;
+                EXPECT_LE(std::abs(found), bend.both(inverse) + 1e-14) << i;
+                for (size_t k = 0; k < 3; ++k) {
+                    EXPECT_LE(std::abs(found), bend.near_side(k, l[k], inverse) + 1e-14) << i;
+                    if (l[k] == 0) {
+                        EXPECT_LE(std::abs(found), bend.on_side(k, inverse) + 1e-14) << i;
+                    }
+                }
+            }
+        }
+        most = std::max(most, largest / bend.both(inverse));
+    }
+    EXPECT_GE(most, 0.9);
+}
+
+// The polynomial with the affine parts as second derivatives agrees with each coordinate at the corners, and is as near to it
+// elsewhere as it is told.
+TEST(HessianBox, rests_are_those_beside_a_cubic) {
+    support::Random random(8);
+    double most = 0;
+    for (int i = 0; i < 200; ++i) {
+        Measured measured(surface(random, random.whole(1, 6), 1, false, 1));
+        const double size = random.magnitude(0.05, 1);
+        const Param low{random.between(0, 1 - size), random.between(0, 1 - size)};
+        const HessianBox box = measured.box({low, {low[0] + size, low[1] + size}});
+        for (size_t coordinate = 0; coordinate < 3; ++coordinate) {
+            const Hessian &h = box.of(coordinate);
+            const auto value = [&](double x, double y) {
+                return dot(box.axes()[coordinate],
+                           measured.point({low[0] + size * x, low[1] + size * y}) - box.origin());
+            };
+            const auto curved = [&](double x, double y) {
+                return h.uu.middle * x * x / 2 + h.uv.middle * x * y + h.vv.middle * y * y / 2 +
+                       h.uu.u * (x * x * x / 6 - x * x / 4) +
+                       h.uu.v * (x * x * y / 2 - x * x / 4 - x * y / 2) +
+                       h.vv.u * (x * y * y / 2 - y * y / 4 - x * y / 2) +
+                       h.vv.v * (y * y * y / 6 - y * y / 4);
+            };
+            const double a = value(0, 0), b = value(1, 0) - a - curved(1, 0),
+                         c = value(0, 1) - a - curved(0, 1);
+            const auto apart = [&](double x, double y) {
+                return std::abs(a + b * x + c * y + curved(x, y) - value(x, y));
+            };
+            EXPECT_NEAR(h.uu.v, h.uv.u, 1e-13) << i;
+            EXPECT_NEAR(h.vv.u, h.uv.v, 1e-13) << i;
+            EXPECT_LE(apart(1, 1), 1e-13) << i;
+            for (int k = 0; k < 50; ++k) {
+                const double found = apart(random.unit(), random.unit());
+                EXPECT_LE(found, h.rest + 1e-14) << i;
+                most = std::max(most, found / h.rest);
+            }
+        }
+    }
+    EXPECT_GE(most, 0.5);
 }
 
 // Of a cell, in one piece and in several.
@@ -323,6 +473,122 @@ TEST(TriangleBound, by_parts_is_of_the_block_alone) {
     }
 }
 
+// A grid of triangles over a surface whose parameters run very unevenly.
+struct GridMesh {
+    std::vector<std::array<Param, 3>> params;
+    std::vector<MeshTriangle> triangles;
+    std::vector<TriangleBound> bounds;
+};
+GridMesh grid_mesh(support::Random &random, Measured &measured, int n) {
+    GridMesh mesh;
+    std::vector<double> lines{0};
+    for (int i = 1; i < n; ++i) {
+        lines.push_back((i + random.between(-0.25, 0.25)) / n);
+    }
+    lines.push_back(1);
+    const auto at = [&](int i, int j) {
+        return Param{lines[static_cast<size_t>(i)], lines[static_cast<size_t>(j)]};
+    };
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const std::array<std::array<int, 2>, 4> corners{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
+            const size_t first = random.chance(50) ? 0 : 1; // of the diagonal
+            for (const size_t k : {first, first + 2}) {
+                MeshTriangle triangle;
+                std::array<Param, 3> params;
+                for (size_t c = 0; c < 3; ++c) {
+                    const auto [a, b] = corners[(k + c) % 4];
+                    params[c] = at(a, b);
+                    triangle.points[c] = a * (n + 1) + b;
+                }
+                for (size_t c = 0; c < 3; ++c) { // at an end of the domain
+                    const Param &a = params[(c + 1) % 3], &b = params[(c + 2) % 3];
+                    triangle.border[c] = (a[0] == b[0] && (a[0] == 0 || a[0] == 1)) ||
+                                         (a[1] == b[1] && (a[1] == 0 || a[1] == 1));
+                }
+                mesh.params.push_back(params);
+                mesh.triangles.push_back(triangle);
+                mesh.bounds.push_back(measured.bound(params));
+            }
+        }
+    }
+    return mesh;
+}
+
+// By steps that are halved, from the best of some places on.
+double distance_from_surface(const Measured &measured, const Vector3 &p) {
+    Param best{};
+    double least = infinity;
+    const auto look_at = [&](const Param &x) {
+        const double distance =
+            length(measured.point({std::clamp(x[0], 0.0, 1.0), std::clamp(x[1], 0.0, 1.0)}) - p);
+        const bool better = distance < least;
+        least = better ? distance : least;
+        best = better ? x : best;
+        return better;
+    };
+    for (int i = 0; i <= 32; ++i) {
+        for (int j = 0; j <= 32; ++j) {
+            look_at({i / 32.0, j / 32.0});
+        }
+    }
+    for (double step = 1.0 / 32; step > 1e-7; step /= 2) {
+        for (bool any = true; any;) {
+            const auto [u, v] = best;
+            any = false;
+            for (int k = 0; k < 8; ++k) {
+                const double angle = k * std::numbers::pi / 4;
+                any = look_at({u + step * std::cos(angle), v + step * std::sin(angle)}) || any;
+            }
+        }
+    }
+    return least;
+}
+
+TEST(StarBound, holds_for_samples) {
+    support::Random random(17);
+    int proven = 0;
+    for (int i = 0; i < 12; ++i) {
+        Measured measured(surface(random, 3, 1, random.chance(60), random.between(0.2, 1)));
+        constexpr int n = 5;
+        const GridMesh mesh = grid_mesh(random, measured, n);
+        std::vector<int32_t> all(mesh.triangles.size());
+        std::iota(all.begin(), all.end(), 0);
+        const Neighbours neighbours((n + 1) * (n + 1), mesh.triangles, all);
+        for (size_t t = 0; t < all.size(); ++t) {
+            const bool inside = std::ranges::all_of(mesh.params[t], [](const Param &x) {
+                return std::min(x[0], x[1]) > 0 && std::max(x[0], x[1]) < 1;
+            });
+            const Distances told =
+                inside ? star_bound(neighbours, mesh.bounds, t, 0) : Distances{infinity, infinity};
+            if (told.most() == infinity) {
+                continue;
+            }
+            ++proven;
+            const auto corners = measured.corners(mesh.params[t]);
+            for (int k = 0; k < 12; ++k) {
+                const double a = random.unit(), b = random.between(0, 1 - a), c = 1 - a - b;
+                const Vector3 p = a * corners[0].point + b * corners[1].point + c * corners[2].point;
+                EXPECT_LE(distance_from_surface(measured, p), told.from_mesh + 1e-7) << i;
+                Param x{};
+                for (size_t axis = 0; axis < 2; ++axis) {
+                    x[axis] = a * mesh.params[t][0][axis] + b * mesh.params[t][1][axis] +
+                              c * mesh.params[t][2][axis];
+                }
+                double nearest = infinity;
+                for (const auto &other : mesh.params) {
+                    const auto own = measured.corners(other);
+                    nearest =
+                        std::min(nearest, distance_from_triangle(measured.point(x),
+                                                                 {own[0].point, own[1].point, own[2].point}));
+                }
+                EXPECT_LE(nearest, told.from_shape + 1e-12) << i;
+            }
+        }
+    }
+    EXPECT_GE(proven, 60);
+}
+
 // Around the first corner of a level triangle there are others on a steep cone, as seen once or twice around. Although their angles
 // in space add up to less than 3 pi, stars that look twice around prove nothing.
 TEST(MeshBound, stars_that_look_twice_around_do_not_count) {
@@ -351,7 +617,7 @@ TEST(MeshBound, stars_that_look_twice_around_do_not_count) {
         EXPECT_LT(angles, 3 * std::numbers::pi);
         const std::array<int32_t, 1> wanted{0};
         const MeshBound bound(count + 2, triangles, bounds, wanted);
-        EXPECT_EQ(bound.distances(0, 0).from_mesh < 0.1, turns == 1);
+        EXPECT_EQ(bound.distances(0, 0, 0).from_mesh < 0.1, turns == 1);
     }
 }
 
