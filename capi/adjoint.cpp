@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluation and queries transposed.
+// Adjoints (reverse-mode gradients) of evaluation, of closest points and of the length of a curve.
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"
@@ -20,7 +20,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// An output that is not wanted has no records.
+// A view of an optional output: without records if the pointer is NULL.
 Records optional_output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
                         int64_t component_stride) {
     return data == nullptr ? Records{} : output(name, data, count, width, stride, component_stride);
@@ -44,12 +44,14 @@ void check_gradients(const eval::Gradients &out, ConstRecords params, ConstRecor
     }
 }
 
-// Cotangents that are not wanted are none.
+// A view of optional cotangents: without records, which stands for zeros, if the pointer is NULL.
 ConstRecords optional_input(const char *name, const double *data, int64_t count, int64_t width) {
     return data == nullptr ? ConstRecords{} : input(name, data, count, width, 0, 0);
 }
 
-// Feet lie in the domain: only the side at a knot is open, and whether a foot has to be there.
+// The parameters of feet, which have to lie in the domain. The only flags are NURBS_LEFT, for the side at a
+// knot, and NURBS_NAN_POINTS, with which a foot that is not finite or not in the domain gives NaN instead of
+// an error.
 SplineBatch foot_batch(const nurbs *g, int64_t n, const double *params, uint32_t flags) {
     const uint32_t sides = NURBS_ON_ALL_AXES(spline_of(g).axes(), NURBS_LEFT);
     if ((flags & ~(sides | NURBS_NAN_POINTS)) != 0) {
@@ -71,7 +73,8 @@ void check_queries(const ConstRecords &points) {
     }
 }
 
-// Outputs that may be added to.
+// give() overwrites outputs or adds to them (NURBS_ACCUMULATE). check_multiples() first refuses products that
+// are not finite, so that nothing is written if one overflows.
 void check_multiples(const std::vector<double> &values, double factor, const char *name) {
     for (const double value : values) {
         if (!std::isfinite(factor * value)) {

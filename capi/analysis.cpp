@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Features of a shape.
+// Analysis of shapes: features of curves, monotone pieces, convexity, straightness and planarity, closed and
+// collapsed boundaries, singular points, folds.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -39,7 +40,7 @@ uint32_t checked_kinds(uint32_t kinds, int dim) {
     return kinds;
 }
 
-// A direction is for surfaces in space only.
+// The reference direction of a fold test. Only surfaces in space may have one; for others it has to be NULL.
 const double *checked_reference(const Spline &spline, const double *reference) {
     if (reference == nullptr) {
         return nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bases: spans, Bernstein polynomials, B-spline and rational basis functions.
+// Knot spans, Bernstein polynomials, B-spline and rational basis functions, and gradients of the latter in
+// space.
 #include "batch.h"
 #include "guard.h"
 
@@ -16,7 +17,8 @@ constexpr int64_t bytes_of(int64_t n) noexcept {
     return n * static_cast<int64_t>(sizeof(double));
 }
 
-// Spans are 64-bit integers, as wide as the doubles of all other arrays.
+// Throws NURBS_ERROR_OVERLAP if the n spans overlap the other array. Spans are 64-bit integers, as wide as
+// the doubles of all other arrays, so that bytes_of() measures both.
 void check_spans_overlap(const int64_t *spans, int64_t n, const char *name, ConstRecords other) {
     static_assert(sizeof(int64_t) == sizeof(double));
     check_overlap("spans", spans, bytes_of(n), name, other.data, bytes_of(other.extent()));

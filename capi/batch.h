@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The arguments that all batch functions share.
+// The arguments that all batch functions share: a spline or a knot vector, parameters, and evaluation flags.
 #pragma once
 
 #include "checks.h"
@@ -16,8 +16,8 @@ struct SplineBatch {
     ConstRecords params;
 };
 
-// Checks handle, flags and layout. The values are left to check_values(), which is called when nothing else
-// can fail.
+// Checks the handle, the flags and the layout. The values of the parameters are left to check_values(), which
+// is called after all other checks.
 inline SplineBatch spline_batch(const ::nurbs *g, int64_t n, const double *params, int64_t stride,
                                 int64_t component_stride, uint32_t flags) {
     const Spline &spline = spline_of(g);
@@ -30,7 +30,7 @@ inline void check_values(const SplineBatch &batch) {
     eval::check_parameters(batch.spline, batch.rules, batch.params);
 }
 
-// The parameters of a grid, axis by axis, with the caller's arrays.
+// The parameters of a grid as one view for each axis, and the caller's array of counts.
 struct Grid {
     std::array<ConstRecords, max_axes> params;
     int64_t param_count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes, cones and extreme points.
+// Bounds of splines: axis-aligned and oriented boxes, tangent and normal cones, extreme points.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

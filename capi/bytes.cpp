@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Handles as bytes.
+// Serialization: handles as bytes, and back.
 #include "bytes.h"
 
 #include "guard.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calculus: polar forms, derivatives, integrals, products and sums.
+// Calculus: polar forms (blossoms), derivatives, integrals, products, compositions and sums.
 #include "checks.h"
 #include "evaluation_flags.h"
 #include "guard.h"
@@ -39,7 +39,7 @@ void check_finite(const double *values, int64_t n, const char *name) {
     }
 }
 
-// The spans in which the parameters lie.
+// The span of each axis in which the parameter of that axis lies, by the evaluation flags.
 std::array<int64_t, max_axes> spans_at(const Spline &spline, const double *params, uint32_t flags) {
     const eval::AxisRules rules = decode_rules(flags, spline.axes());
     std::array<int64_t, max_axes> spans{};

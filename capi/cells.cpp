@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splines as Bezier cells, with their control points once each.
+// Splines as Bezier cells: their polynomial or rational pieces, whose common control points are stored once.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

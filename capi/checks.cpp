@@ -119,11 +119,12 @@ namespace {
     fail(Status::stride, "%s: %s = %lld, expected %s", name, which, static_cast<long long>(stride), expected);
 }
 
-// Components share no place if the records are apart (stride covers a record) or the components are (a
-// component covers all records).
+// Throws NURBS_ERROR_STRIDE unless the layout is one of two in which no two elements share a place: records
+// lie apart (the stride covers a record), or components lie apart (the component stride covers that component
+// of all records).
 void check_separation(const char *name, int64_t count, int64_t width, int64_t stride,
                       int64_t component_stride) {
-    if (count <= 1 || (component_stride == 1 && width <= stride)) { // nearly always
+    if (count <= 1 || (component_stride == 1 && width <= stride)) { // the usual layout
         return;
     }
     const bool records_apart = stride > 0 && (width - 1) <= (stride - 1) / component_stride;
@@ -149,7 +150,7 @@ RecordView<T> view(const char *name, T *data, int64_t count, int64_t width, int6
         fail_stride(name, "component stride", component_stride, ">= 0");
     }
     component_stride = component_stride == 0 ? 1 : component_stride;
-    if (stride == 0) { // one record has no next one
+    if (stride == 0) { // packed; the stride of a single record does not matter
         stride = count > 1 ? checked_product(width, component_stride, name) : width;
     }
     check_separation(name, count, width, stride, component_stride);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of arguments at the border, all to be called inside guard().
+// Checks of the arguments of C functions. They throw, so they are only for use inside guard().
 #pragma once
 
 #include "base/records.h"
@@ -14,14 +14,15 @@ namespace nrb::capi {
 [[noreturn]] void fail_null(const char *name);
 [[noreturn]] void fail_length(int64_t n, const char *name);
 
-// Checks that even the shortest calls make are inline; their messages are not. Throws NURBS_ERROR_NULL naming
-// the argument.
+// Throws NURBS_ERROR_NULL naming the argument. Checks that even the shortest calls make are inline, but the
+// code for their messages is not.
 inline void require(const void *pointer, const char *name) {
     if (pointer == nullptr) {
         fail_null(name);
     }
 }
-// The same as require(); also sets *out to NULL, so that it is NULL whatever fails later.
+// require() for the address of a new handle. Also sets *out to NULL, so that it is NULL if anything fails
+// later.
 template <class Handle>
 void require_out(Handle **out) {
     require(out, "out");
@@ -40,7 +41,7 @@ inline const model::Model &model_of(const ::nurbs_model *model) {
     return *model->model;
 }
 
-// One of several, called by its name.
+// The spline of one of several handles; `name` is the name of the argument.
 inline const Spline &named(const ::nurbs *g, const char *name) {
     require(g, name);
     return *g->spline;
@@ -50,18 +51,21 @@ const Spline &surface_of(const ::nurbs *g);
 
 void check_axis(const Spline &spline, int32_t axis);
 void check_order(int32_t order);
-// Throws NURBS_ERROR_FACTOR unless it is finite.
+// Throws NURBS_ERROR_FACTOR unless the factor is finite.
 void check_factor(double factor, const char *name);
-// Throws NURBS_ERROR_POINT_NOT_FINITE unless all numbers are finite.
+// Throws NURBS_ERROR_POINT_NOT_FINITE unless all coordinates are finite.
 void check_points(const char *name, const ConstRecords &points);
-// Throws NURBS_ERROR_DIRECTION for a vector in space that is not finite or 0; index: of it in an array, < 0: there is one only.
+// Throws NURBS_ERROR_DIRECTION if a vector in space is zero or not finite. index: its index in an array; < 0:
+// it is the only one.
 void check_direction(const char *name, const double *x, int64_t index = -1);
-// Finite ones, else NURBS_ERROR_POINT_NOT_FINITE.
+// The n values of an array. Throws NURBS_ERROR_COUNT, _OVERFLOW or _NULL for the array, and
+// NURBS_ERROR_POINT_NOT_FINITE unless all values are finite.
 std::span<const double> checked_values(int64_t n, const double *values, const char *name);
-// Checks a parameter of an axis: finite, and inside its domain.
+// Throws NURBS_ERROR_PARAMETER_NOT_FINITE or _OUTSIDE_DOMAIN unless t is finite and in the closed domain of
+// the axis.
 void check_place(double t, Interval domain, const char *name, int axis);
-// The ends that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END name. Throws NURBS_ERROR_FLAGS for flags
-// that are neither these nor `others`; the message calls the flags `name`.
+// The ends of an axis that NURBS_FORM_CLAMPED_START and NURBS_FORM_CLAMPED_END select. Throws
+// NURBS_ERROR_FLAGS for flags other than these and `others`, which the message calls `name`.
 refine::AxisEnds decode_ends(uint32_t flags, uint32_t others = 0, const char *name = "");
 // Whether an end is the upper one; throws NURBS_ERROR_END for a value that is not an end.
 bool upper_end(int32_t end, const char *name);
@@ -73,15 +77,17 @@ inline void check_length(int64_t n, const char *name) {
 }
 // n >= least, else NURBS_ERROR_COUNT.
 void check_at_least(int64_t n, int64_t least, const char *name);
-// How many pieces a search may examine: `usual` if the caller leaves it open with 0.
+// The largest number of pieces that a search may examine: `usual` if the budget is 0. Throws
+// NURBS_ERROR_COUNT if it is negative.
 int64_t checked_budget(int64_t budget, int64_t usual);
-// Checks the orders of derivatives at the ends, [axes][2], -1 for none; NULL means none at all.
+// Checks the highest orders of derivatives that stay at the two ends of each axis, [axes][2], -1 for none.
+// NULL is allowed. Throws NURBS_ERROR_ORDER.
 void check_keep(const Spline &spline, const int32_t *keep);
-// n == expected, else NURBS_ERROR_SIZE.
+// n == expected, else NURBS_ERROR_SIZE; NURBS_ERROR_OVERFLOW if no array can have that length.
 void check_size(int64_t n, int64_t expected, const char *name);
 
-// A view of `count` records of `width` doubles, with strides completed (0 = packed) and checked. The pointer
-// may be NULL when count is 0.
+// A view of `count` records of `width` values. Strides of 0 (packed) are replaced by the true ones, and all
+// strides are checked. The pointer may be NULL if count is 0.
 ConstRecords input(const char *name, const double *data, int64_t count, int64_t width, int64_t stride,
                    int64_t component_stride);
 Records output(const char *name, double *data, int64_t count, int64_t width, int64_t stride,
@@ -93,20 +99,20 @@ inline ConstRecords input(const char *name, const double *data, int64_t count, i
     return input(name, data, count, 1, stride, 0);
 }
 
-// An output as something that other outputs must not overlap.
+// An output as a read-only view, for the check that other outputs do not overlap it.
 inline ConstRecords read_only(Records out) noexcept {
     return {out.data, out.count, out.width, out.stride, out.component_stride};
 }
 
-// Throws NURBS_ERROR_OVERLAP if an element of `out` is an element of `in`. Records of equal stride may
-// interleave.
+// Throws NURBS_ERROR_OVERLAP if the ranges of bytes that the two arrays reach over overlap. Records of
+// doubles may interleave, as columns of one table: with equal strides, and components side by side.
 void check_overlap(const char *out_name, const Records &out, const char *in_name, const ConstRecords &in);
 void check_overlap(const char *out_name, const FloatRecords &out, const char *in_name,
                    const ConstRecords &in);
 void check_overlap(const char *out_name, const void *out, int64_t out_bytes, const char *in_name,
                    const void *in, int64_t in_bytes);
 
-// Any array, in bytes; NULL is no array.
+// An array of any type as a range of bytes, which is empty if the pointer is NULL.
 struct Memory {
     const char *name;
     const void *data;
@@ -121,14 +127,15 @@ inline bool apart(const Memory &a, const Memory &b) noexcept {
     return a.bytes == 0 || b.bytes == 0 || from_a + static_cast<uintptr_t>(a.bytes) <= from_b ||
            from_b + static_cast<uintptr_t>(b.bytes) <= from_a;
 }
-// Whether these are the strides of a record of `width` values side by side.
+// Whether the strides are those of records whose `width` values lie side by side.
 inline bool in_a_row(int64_t width, int64_t stride, int64_t component_stride) noexcept {
     return (stride == 0 || stride >= width) && (component_stride == 0 || component_stride == 1);
 }
-// No output overlaps another output or an input.
+// Throws NURBS_ERROR_OVERLAP if an output overlaps another output or an input.
 void check_apart(std::initializer_list<Memory> outputs, std::initializer_list<Memory> inputs);
 
-// Faces of surfaces of dimension 3, else NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _DIMENSION.
+// The faces of an array of handles. Throws NURBS_ERROR_NULL, _COUNT, _OVERFLOW, and _DIMENSION unless all
+// their surfaces have dimension 3.
 std::vector<face::FacePtr> faces_in_space(int64_t count, const ::nurbs_face *const *faces,
                                           const char *count_name, const char *name);
 

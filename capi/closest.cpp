@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closest and farthest points.
+// Closest and farthest points, critical points of the distance, and signed distances.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -37,7 +37,7 @@ void check_guesses(const Spline &spline, const ConstRecords &guesses) {
     }
 }
 
-// The arguments that all batches share.
+// The arguments that all batches of query points share.
 struct PointBatch {
     const Spline &spline;
     ConstRecords points;
@@ -58,7 +58,7 @@ PointBatch point_batch(const nurbs *g, int64_t n, const double *points, int64_t 
     return {spline, input("points", points, n, spline.dim(), stride, component_stride), allow_nan};
 }
 
-// Where the answers of a batch go.
+// The output arrays of a batch.
 struct FeetArrays {
     FeetArrays(const PointBatch &batch, const Wanted &params, const Wanted &wanted_feet,
                const Wanted &distances, int32_t *status)
@@ -67,7 +67,7 @@ struct FeetArrays {
         outputs.check("points", batch.points);
     }
 
-    // Calls fill(outputs), which writes as it goes.
+    // Calls fill(outputs), which writes results as it finds them, and commits those that were staged.
     template <class Fill>
     void fill(Fill &&fill) const {
         const StagedRecords params(feet.params), points(feet.feet), distances(feet.distances);
@@ -96,7 +96,7 @@ void extremal_points(const PointBatch &batch, const double *range, double tolera
     });
 }
 
-// A query at one point.
+// A query for a single point.
 struct PointQuery {
     PointQuery(const nurbs *g, const double *point, const double *range_values, double tolerance,
                int64_t budget)

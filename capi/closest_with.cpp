@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Batches of closest points as long calls, with structs for their many arguments.
+// Batches of closest points as long calls; structs replace their many arguments.
 #include "structs.h"
 #include "watched.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splines closest to points without parameters.
+// Fits to point clouds: splines that are closest to points without parameters.
 #include "fit/cloud/cloud_start.h"
 #include "fit/cloud/fit_cloud.h"
 #include "guard.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Matrices: collocation in compressed sparse rows, and Bezier extraction.
+// Collocation matrices in compressed sparse rows (CSR), and Bezier extraction operators.
 #include "batch.h"
 #include "guard.h"
 #include "sparse.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Knots brought together: of one spline, and of a set of splines.
+// Knots made equal: near-equal knots of one spline (snapping), and the knots of a set of splines.
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"

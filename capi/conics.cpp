@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arcs of circles and conics by points, tangents and equations.
+// Arcs of circles and conics from points, tangents, equations and foci.
 #include "build/conics/conic_conditions.h"
 #include "build/conics/conic_curves.h"
 #include "build/conics/conic_focus.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks that the constants of the core, which does not include the public interface, are those of that
-// interface.
+// Checks that the constants of the core have the values of those in the public interface, which the core does
+// not include.
 #include "analysis/convexity.h"
 #include "analysis/features.h"
 #include "analysis/folds.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constraints.
+// The smallest change of a spline that makes it meet constraints.
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"
@@ -31,7 +31,7 @@ struct GivenConstraints {
     }
 };
 
-// A constraint that does not suit the spline's axes or dimension is refused.
+// Refuses a kind that is unknown, or that does not suit the spline's number of axes or dimension.
 void check_kind(const GivenConstraints &given, int64_t i) {
     const int32_t kind = given.kind(i);
     const int axes = given.spline.axes(), dim = given.spline.dim();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Splines beyond their ends: extension, unclamped and periodic forms.
+// Splines continued beyond their ends: extension, unclamping, and periodic form.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Continuity at knots and between ends.
+// Continuity at knots, and between the ends of two curves.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curves on surfaces along which functions vanish.
+// Level curves of functions on surfaces: silhouettes, isophotes and parabolic curves, reflection and
+// highlight lines, zeros of implicit polynomials, and levels of scalar splines.
 #include "batch.h"
 #include "checks.h"
 #include "guard.h"
@@ -52,7 +53,7 @@ std::array<double, 3> checked_place(const double *x, const char *name) {
     return {x[0], x[1], x[2]};
 }
 
-// As a unit vector.
+// The direction as a unit vector.
 std::array<double, 3> checked_direction(const double *d, const char *name) {
     require(d, name);
     check_direction(name, d);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces and volumes from their boundaries.
+// Coons surfaces and volumes from their boundaries, and the boundaries of surfaces and volumes.
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"

@@ -23,8 +23,8 @@ void check_short_degrees(const AxesData &axes) {
     }
 }
 
-// The end knots of a short vector are going to be doubled. One that already occurs degree + 1 times, or is
-// not finite, is refused here, so that the message names the short vector.
+// The full vector repeats the end knots of a short one once more. An end knot that already occurs degree + 1
+// times, or is not finite, is refused here, so that the message names the short vector.
 void check_short_end(const double *given, int64_t end, int64_t inner, int degree, int64_t offset) {
     const long long at = offset + end;
     if (!std::isfinite(given[end])) {
@@ -39,7 +39,9 @@ void check_short_end(const double *given, int64_t end, int64_t inner, int degree
     }
 }
 
-// The short convention drops the first and the last knot, which influence nothing inside the domain.
+// The full knots of an axis, from a short vector: one without the first and the last knot, which influence
+// nothing inside the domain. These two become copies of the knots next to them. On a periodic axis they are
+// the knots one period away, where those lie farther out.
 std::vector<double> complete_knots(const AxisData &axis, const double *given, int64_t offset) {
     const int64_t last = axis.count + axis.degree - 2;
     std::vector<double> knots(static_cast<size_t>(last) + 3);
@@ -60,8 +62,8 @@ std::vector<double> complete_knots(const AxisData &axis, const double *given, in
     return knots;
 }
 
-// Checks the distinct knots of an axis, which begin at `offset` in the caller's arrays, and returns the sum
-// of the multiplicities.
+// Checks the distinct knots of an axis and returns the sum of their multiplicities. `offset`: where the axis
+// begins in the caller's arrays, for messages.
 int64_t check_distinct_knots(const AxisData &axis, const double *distinct, const int32_t *multiplicities,
                              int64_t n, int64_t offset) {
     int64_t total = 0;
@@ -152,8 +154,8 @@ Spline::Axes bezier_axes(const AxesData &axes) {
         1);
 }
 
-// The kept weights are those of a homogeneous spline too, which then becomes one of Cartesian points and
-// weights.
+// The weights that a spline keeps with other points; none if it is polynomial. A homogeneous spline keeps its
+// weights, too, but then becomes one of Cartesian points and weights.
 std::vector<double> kept_weights(const Spline &spline) {
     std::vector<double> weights(spline.rational() ? static_cast<size_t>(spline.point_count()) : 0);
     for (size_t i = 0; i < weights.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines, arcs and conics in their axes, helices.
+// Lines and polygons, circles and conics given by their axes, and helices.
 #include "build/conics/conic_curves.h"
 #include "build/helix.h"
 #include "build/polylines.h"

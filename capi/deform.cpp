@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Deformations.
+// Deformations: warping, flattening, bending, free-form deformation, fairing, and boundaries moved onto
+// others.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

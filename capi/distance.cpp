@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances of two splines.
+// Smallest distances and Hausdorff distances of two splines.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -19,9 +19,10 @@ using namespace nrb::capi;
 namespace {
 
 constexpr int64_t default_budget = 200000;
-constexpr int64_t default_far_budget = 2000000; // pieces of both splines
+constexpr int64_t default_far_budget = 2000000; // in each direction, pieces of both splines
 
-// The limit where the caller has none; a third of it for each of two searches, which go in small steps.
+// The limit of work if the caller sets none; a budget replaces it. Each of the two searches for Hausdorff
+// distances, which go in small steps, gets a third of it.
 int64_t work_of(int64_t budget, const Spline &a, const Spline &b) noexcept {
     return budget == 0 ? usual_work(a.point_count() + b.point_count())
                        : std::numeric_limits<int64_t>::max() / 2;
@@ -32,7 +33,7 @@ closest::FarthestPoint farthest(const Spline &from, const Spline &to, double tol
     return closest::one_sided_distance(from, to, tolerance, checked_budget(budget, default_far_budget));
 }
 
-// As many as a spline has axes.
+// Stores one parameter for each axis of the spline.
 void put_params(double *out, const std::array<double, max_axes> &params, const Spline &spline) noexcept {
     put_all(out, std::span(params).first(static_cast<size_t>(spline.axes())));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights and control points.
+// Editing of weights and control points, and inverse knot insertion.
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"
@@ -21,7 +21,8 @@ using namespace nrb::capi;
 
 namespace {
 
-// The first copy of a control point; `place` is its place in a list of control points.
+// Checks the index of a control point and returns its original, the first of the copies that periodic axes
+// make of it. place: where the index is in the array `indices`; < 0: it is an argument of its own.
 int64_t checked_point(const Spline &spline, int64_t index, int64_t place = -1) {
     if (index < 0 || index >= spline.point_count()) {
         const auto last = static_cast<long long>(spline.point_count() - 1);
@@ -62,7 +63,7 @@ std::vector<int64_t> checked_points(const Spline &spline, int64_t count, const i
     return originals;
 }
 
-// One parameter of a spline.
+// Checks the parameters of a single place, [axes].
 const double *checked_param(const Spline &spline, const double *params) {
     require(params, "params");
     eval::check_parameters(spline, {}, {params, 1, spline.axes(), spline.axes(), 1});
@@ -239,7 +240,7 @@ nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const double *p
                  "= %s",
                  Number(leg.distance).text, static_cast<long long>(leg.point), axis, Number(tolerance).text);
         }
-        if (leg.point < 0) { // an infinite tolerance, and no leg
+        if (leg.point < 0) { // there is no leg, and the tolerance is infinite
             fail(Status::off_polygon, "g has no leg along axis %d without control points at infinity", axis);
         }
         modify::LegInsertion made = insert_checked(g, axis, leg.point, leg.ratio);

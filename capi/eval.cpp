@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluation, and splines made by evaluating along one axis.
+// Evaluation of points and derivatives, in batches and on grids; isoparametric curves and surfaces.
 #include "batch.h"
 #include "guard.h"
 
@@ -15,7 +15,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// Points are derivatives of order 0; `name` is what the output is called.
+// Points and derivatives up to `order`; with order 0, points only. `name` is the name of the output.
 void evaluate(const SplineBatch &batch, int32_t order, double *values, int64_t stride,
               int64_t component_stride, const char *name) {
     const Spline &spline = batch.spline;
@@ -59,8 +59,9 @@ void evaluate_on_grid(const nurbs *g, const int64_t *counts, const double *param
     eval::evaluate_grid(spline, rules, grid.params, out);
 }
 
-// One point of a spline that has its tables: most calls of most programs. False where there is something to
-// check or to say.
+// The fast path for one point of a spline that has its tables, as in most calls of most programs. False, and
+// nothing is written, where arguments need further checks, or an error may have to be reported, or the point
+// is not one for the tables.
 bool evaluated_single(const nurbs *g, const double *params, int64_t param_stride,
                       int64_t param_component_stride, double *points, int64_t point_stride,
                       int64_t point_component_stride) noexcept {

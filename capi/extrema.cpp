@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Extrema of scalar splines.
+// Local extrema and saddles of scalar splines.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -21,7 +21,7 @@ using intersect::Extremum;
 constexpr uint32_t all_kinds = NURBS_EXTREMUM_MINIMUM | NURBS_EXTREMUM_MAXIMUM | NURBS_EXTREMUM_SADDLE |
                                NURBS_EXTREMUM_PLATEAU | NURBS_EXTREMUM_UNDECIDED;
 
-// Where extrema go; all may be null.
+// Output arrays for extrema; each may be NULL.
 struct ExtremumArrays {
     double *params, *values;
     int32_t *found;

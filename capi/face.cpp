@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trimmed faces.
+// Trimmed faces: construction, loops and edges, classification of places, area and moments, boxes.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -20,7 +20,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// The arrays that describe loops, and which of them the next curve is in.
+// The caller's arrays that describe the curves of all loops, loop by loop.
 struct LoopArrays {
     const Spline &surface;
     const nurbs *const *curves;

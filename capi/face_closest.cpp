@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nearest points of faces.
+// Closest points of faces.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -20,7 +20,8 @@ namespace {
 
 constexpr int64_t work_of_a_point = 1000;
 
-// The point of a foot, and whether what was proven of the foot holds for it.
+// Evaluates the point x of a foot on the surface and replaces the distance of the foot by that of x. If what
+// was proven of the foot does not hold for x, the foot is no longer certified but coarse.
 void settle(const Spline &surface, const double *point, double tolerance, closest::Foot &foot, double *x) {
     eval::AxisRules rules;
     for (size_t k = 0; k < 2; ++k) {
@@ -39,7 +40,7 @@ struct Feet {
     std::vector<double> points; // [n][dim]
 };
 
-// All of them before the first is written: any of them may want memory.
+// All feet are found before the first result is written, since any of them may run out of memory.
 Feet feet_of(const face::Face &own, const ConstRecords &points, double tolerance) {
     const Spline &surface = *own.surface();
     std::vector<double> point(static_cast<size_t>(surface.dim())), x(point.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances of faces.
+// Smallest distances and Hausdorff distances of two faces.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -25,7 +25,7 @@ face::FaceDistance farthest(const face::Face &from, const face::Face &to, double
     return face::largest_distance(from, to, tolerance);
 }
 
-// With half of the work that the caller allows, so that the other way is not left without.
+// The same with half of the work that the caller's limit leaves; the rest is for the opposite direction.
 face::FaceDistance farthest_with_half(const face::Face &from, const face::Face &to, double tolerance) {
     const PartOfWork half;
     return farthest(from, to, tolerance);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Least squares.
+// Least-squares fits over given knots and to a tolerance, and approximations of splines.
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "fit/adaptive/approximate.h"
@@ -65,7 +65,7 @@ void refuse_robust(const fit::FitWishes &wishes, const char *why) {
     }
 }
 
-// The range of the parameters of an axis that are finite.
+// The range of the finite parameters of axis k; empty, with lower > upper, if there are none.
 Interval range_of(const ConstRecords &params, int64_t k) {
     Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (int64_t i = 0; i < params.count; ++i) {

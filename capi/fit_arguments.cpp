@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What fits are asked for.
+// Checks of the options of fits.
 #include "fit_arguments.h"
 #include "guard.h"
 #include "spline_data.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data and wishes of fits.
+// Arguments of fits: data, statistics and options.
 #pragma once
 
 #include "checks.h"
@@ -19,13 +19,14 @@ struct CheckedData {
     fit::Data data;
     eval::AxisRules rules;
 };
-// Axes, dimension, layout and flags; the numbers are left to fit::gather().
+// Checks axes, dimension, layout and flags; fit::gather() checks the numbers.
 CheckedData checked_data(const nurbs_data *data);
 
-// Evaluation flags for places of data, which are not extrapolated; `where` precedes the name in messages.
+// Evaluation flags for the parameters of data, which are never extrapolated: NURBS_EXTRAPOLATE is refused.
+// `where` precedes "flags" in messages.
 eval::AxisRules data_rules(uint32_t flags, int axes, const char *where);
 
-// NULL: the defaults.
+// The options, checked; NULL stands for the defaults.
 fit::FitWishes checked_wishes(const nurbs_fit_options *options, const Spline::Axes &axes, int dim);
 
 } // namespace nrb::capi

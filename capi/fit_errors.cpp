@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How sure fits are.
+// Standard errors of fits, and the criteria that choose the factor of the penalty.
 #include "fit_arguments.h"
 #include "guard.h"
 #include "handle.h"
@@ -15,7 +15,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// As many as those of the statistics.
+// Throws NURBS_ERROR_AXES unless there are as many axes as in the statistics.
 void check_axes_of(const fit::Statistics &statistics, const Spline::Axes &axes) {
     if (std::ssize(axes) != statistics.form().axes()) {
         fail(Status::axes, "g has %d axes, expected %d, those of the statistics",
@@ -29,7 +29,7 @@ void check_not_negative(double value, const char *name) {
     }
 }
 
-// What is penalised, where anything is.
+// The order of the derivative that is penalised: 1 to the highest degree.
 int checked_order(int32_t order, const Spline::Axes &axes) {
     const int highest = fit::highest_degree(axes);
     if (order < 1 || order > highest) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Patches of degree 1 over their corners.
+// Patches and volumes of degree 1 on each axis, from their corners.
 #include "checks.h"
 #include "guard.h"
 #include "spline_data.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Degree and form.
+// Degree elevation, and changes of form: reversed or permuted axes, other domains, weights, homogeneous
+// points.
 #include "refine/degree/elevate.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/parametrization.h"

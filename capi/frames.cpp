@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames and curvature.
+// Frames and curvatures of curves and surfaces.
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"
@@ -39,7 +39,8 @@ void check_finite(const double *direction, const char *name) {
     }
 }
 
-// The frame of one point of a surface that has its tables. False where there is something to check or to say.
+// The fast path for the frame at one point of a surface that has its tables. False, and nothing is written,
+// where arguments need further checks, or an error may have to be reported, or the normal may not be regular.
 bool evaluated_single(const nurbs *g, const double *params, int64_t param_stride,
                       int64_t param_component_stride, std::initializer_list<Wanted> outputs,
                       int32_t *status) noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The only guard of the border: no exception leaves the library; each becomes a status and a message. A thread that
-// ends in a callback passes through, and what it holds is freed on the way.
+// The exception barrier of the C interface: no exception leaves the library; each becomes a status and a
+// message. Only the forced unwinding of a thread that ends in a callback passes through, and frees what the
+// call holds.
 #pragma once
 
 #include <nurbs/nurbs.h>

@@ -21,10 +21,10 @@ namespace nrb::capi {
 
 using NamedSplines = std::vector<model::NamedSpline>;
 
-// The parts of one spline; a part is made when the caller takes it.
+// The parts of one spline. A part becomes a spline of its own when the caller takes it.
 struct Parts {
     refine::PartedSpline spline;
-    bool named_by_axes; // by their places on the axes, not by their index
+    bool named_by_axes; // by their indices along the axes, such as "2,0", not by one index
 };
 
 } // namespace nrb::capi
@@ -51,7 +51,7 @@ struct nurbs_list {
 
 namespace nrb::capi {
 
-// Gives a spline to the caller, in a handle of its own.
+// Hands a spline or a model over to the caller in a new handle.
 inline void give(SplinePtr spline, ::nurbs **out) {
     *out = new ::nurbs{std::move(spline)};
 }

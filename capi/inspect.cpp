@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Getters: all of them copy their results.
+// Getters, all of which copy what they return, and local hull sizes.
 #include "batch.h"
 #include "guard.h"
 #include "outputs.h"

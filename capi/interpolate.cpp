@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpolation.
+// Interpolation of points, derivatives and directions; parameters and tangents for it.
 #include "checks.h"
 #include "guard.h"
 
@@ -40,7 +40,8 @@ std::vector<int64_t> checked_counts(int32_t axes, const int64_t *counts) {
     return {counts, counts + axes};
 }
 
-// There may be NaN at points that may_be_unknown(index).
+// Throws NURBS_ERROR_POINT_NOT_FINITE for a value that is not finite, except for NaN in a point for which
+// may_be_unknown(index) is true.
 template <class Unknown>
 void check_finite(const char *name, std::span<const double> values, int dim, Unknown &&may_be_unknown) {
     if (all_finite(values)) {
@@ -70,7 +71,7 @@ std::vector<double> finite_points(const char *name, const Points &points, int64_
     return values;
 }
 
-// The shape of a grid of `total` points.
+// The shape of a grid of points; stores their number in `total`.
 fit::GridShape checked_shape(std::vector<int64_t> counts, int dim, uint32_t flags, int64_t &total) {
     fit::GridShape grid{std::move(counts), dim};
     total = 1;
@@ -88,7 +89,8 @@ fit::PointGrid checked_grid(std::vector<int64_t> counts, const Points &points, u
     return {std::move(shape), finite_points("points", points, total)};
 }
 
-// Of layers, whose mixed derivatives may be NaN.
+// A grid of layers of points and derivatives. Where layers of derivatives of two axes cross, the mixed
+// derivatives may be NaN.
 fit::PointGrid checked_grid_of_layers(std::vector<int64_t> counts, const Points &values,
                                       const std::vector<fit::AxisLayers> &layers, uint32_t flags) {
     int64_t total = 1;
@@ -104,7 +106,8 @@ fit::PointGrid checked_grid_of_layers(std::vector<int64_t> counts, const Points 
     return {std::move(shape), std::move(points)};
 }
 
-// The sum of the counts, each of which is a factor of the number of points, so that it does not overflow.
+// The sum of the counts. It does not overflow, since each count is a factor of the number of points, which
+// was checked.
 int64_t sum_of(const std::vector<int64_t> &counts) noexcept {
     int64_t sum = 0;
     for (const int64_t count : counts) {
@@ -147,7 +150,8 @@ void check_rule(int32_t rule, double exponent) {
     }
 }
 
-// The full knot vectors of all axes, over which an axis has as many distinct layers as data.
+// The full knot vectors of all axes. An axis has as many distinct layers of control points as data; a
+// periodic axis has `degree` layers more, which repeat the first ones.
 Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::GridShape &grid, const double *knots,
                           int64_t knot_count) {
     std::vector<int64_t> sizes(degrees.size());
@@ -170,13 +174,13 @@ Spline::Axes checked_axes(const std::vector<int> &degrees, const fit::GridShape 
     return axes;
 }
 
-// The order of a condition; that of a direction is 1.
+// The order of condition i, after a check; 1 for a direction.
 int32_t checked_order(int64_t i, int degree, double param, int32_t order) {
     const long long at = i;
     if (!std::isfinite(param)) {
         fail(Status::parameter_not_finite, "params[%lld] = %s is not finite", at, Number(param).text);
     }
-    constexpr int highest = 15; // above 20 rounding decides which lengths have the least energy
+    constexpr int highest = 15; // above 20, rounding decides which lengths have the least energy
     if (order == NURBS_ORDER_DIRECTION && (degree < 2 || degree > highest)) {
         fail(Status::order, "orders[%lld] = %d, a direction, expected a degree from 2 to %d, not %d", at,
              order, highest, degree);
@@ -188,7 +192,8 @@ int32_t checked_order(int64_t i, int degree, double param, int32_t order) {
     return order == NURBS_ORDER_DIRECTION ? 1 : order;
 }
 
-// Parameters that do not decrease, with orders that rise where they are equal, at i and before it.
+// Checks conditions i - 1 and i: parameters must not decrease, and orders must rise where parameters are
+// equal.
 void check_next(const fit::CurveConditions &given, size_t i) {
     const double before = given.params[i - 1], next = given.params[i];
     if (next < before) {

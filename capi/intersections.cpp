@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where shapes meet.
+// Intersections: roots and levels of curves, hits of curves with curves and surfaces, and the common points
+// of three surfaces.
 #include "checks.h"
 #include "guard.h"
 #include "implicit_argument.h"
@@ -22,7 +23,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// Where hits go; all may be null.
+// Output arrays for hits; each may be NULL.
 struct HitArrays {
     double *params;
     int32_t *kinds;

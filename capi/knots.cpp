@@ -21,7 +21,7 @@ std::span<double> knot_span(double *knots, int64_t knot_count) {
     return {knots, static_cast<size_t>(knot_count)};
 }
 
-// Inputs and the knots must be apart; their lengths are >= 0.
+// An input array of n >= 0 values. Throws NURBS_ERROR_OVERLAP if the knots, which are written, overlap it.
 template <class T>
 std::span<const T> source_span(const T *values, int64_t n, const char *name, std::span<double> knots) {
     check_overlap("knots", knots.data(), static_cast<int64_t>(knots.size_bytes()), name, values,

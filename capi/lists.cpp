@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of splines: what a file held, or the parts of a spline.
+// Lists of splines: the contents of a file, the parts of one spline, or any splines put together.
 #include "lists.h"
 
 #include "guard.h"
@@ -74,7 +74,7 @@ std::string name_by_axes(const refine::PartedSpline &parts, int64_t index) {
     return name;
 }
 
-// The same questions for each kind of contents.
+// The same queries for each kind of contents.
 
 int64_t size_of(const NamedSplines &splines) noexcept {
     return std::ssize(splines);
@@ -115,7 +115,8 @@ int64_t checked_size(const nurbs_list *list) {
     return std::visit([](const auto &contents) { return size_of(contents); }, checked(list).contents);
 }
 
-// The contents of a file; empty for a list that does not come from a file.
+// The contents of a list that has notes and a unit: one from a file, from bytes or from nurbs_list_create().
+// An empty model for any other list.
 const model::Model &model_of(const nurbs_list *list) {
     static const model::Model nothing;
     const auto *const model = std::get_if<model::Model>(&checked(list).contents);

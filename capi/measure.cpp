@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lengths, areas and moments.
+// Arc lengths, areas, and moments (content, centroid, inertia).
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"
@@ -26,7 +26,7 @@ measure::MomentOrder order_of(const double *centroid, const double *inertia) noe
                                  : measure::MomentOrder::content;
 }
 
-// All outputs of moments.
+// The caller's outputs of a function that computes moments; all but `content` may be null.
 struct MomentOutputs {
     double *content;
     double *centroid;
@@ -50,7 +50,8 @@ void give_moments(const measure::Moments &found, const MomentOutputs &out) {
     put(out.openness, found.openness);
 }
 
-// Splines of `dim` - 1 axes in dimension `dim`.
+// The splines that bound a region of dimension `dim`. Checks that each has dim - 1 axes and dimension dim;
+// messages call the array `name`.
 std::vector<SplinePtr> boundary_of(int64_t count, const nurbs *const *handles, const char *name, int dim) {
     std::vector<SplinePtr> splines = splines_of(count, handles, name);
     for (size_t i = 0; i < splines.size(); ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where planes cut surfaces, where surfaces meet, and what was found there.
+// Meets: intersection curves of surfaces and faces with planes and with each other, and curves projected onto
+// them; access to the branches, nodes and ways of a meet.
 #include "checks.h"
 #include "guard.h"
 #include "meets.h"
@@ -62,7 +63,7 @@ const intersect::MeetBranch &branch_at(const intersect::Meet &meet, int64_t inde
     return meet.branches[static_cast<size_t>(index)];
 }
 
-// Node i is at a place of a surface.
+// Stores the parameters of node i on a surface, and the box of its part.
 void put_place(const std::array<double, 2> &at, const std::array<Interval, 2> &range, size_t i,
                double *params, double *ranges) {
     for (size_t k = 0; k < 2; ++k) {
@@ -72,7 +73,7 @@ void put_place(const std::array<double, 2> &at, const std::array<Interval, 2> &r
     }
 }
 
-// What is projected, and how: without a direction normally.
+// A curve to be projected along a direction or, without one, along the normals of the surface.
 struct ProjectionQuery {
     SplinePtr curve;
     std::optional<Vector3> direction;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meets as results.
+// Gives meets to the caller, with the branches arranged in ways.
 #pragma once
 
 #include "handle.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triangles in place of shapes, and how near they are to be.
+// Triangle meshes of surfaces, faces and models, hexahedral meshes of volumes, and the options that limit
+// their deviation.
 #include "checks.h"
 #include "guard.h"
 #include "structs.h"
@@ -22,15 +23,17 @@ namespace {
 
 constexpr int64_t usual_hexahedra = int64_t{1} << 20;
 
-// About two million triangles, and more for many control points.
+// The usual limit of work, in multiply-adds: enough for about two million triangles, plus a share for each
+// control point.
 constexpr int64_t usual_work_for_meshes = 4000000000, work_for_a_point = 20000;
 
-// Besides the distance.
+// Whether a limit other than the chord error takes effect. An angle of pi limits nothing.
 bool is_limited(const mesh::MeshRule &rule) noexcept {
     return rule.relative > 0 || rule.longest > 0 || (rule.angle > 0 && rule.angle < std::numbers::pi);
 }
 
-// The other limits first: without a sound one of these an infinite chord is not the fault.
+// Checks `chord` last: it may be infinite if another limit is set, so an invalid value of another limit is
+// reported first.
 void check_limits(const mesh::MeshRule &rule) {
     if (!(rule.relative >= 0) || std::isinf(rule.relative)) {
         fail(Status::tolerance, "options: relative_chord = %s, expected 0, or a share",
@@ -80,7 +83,7 @@ int64_t points_of(const model::Model &model) {
     return points;
 }
 
-// At the limit of work the triangles that there are by then are the answer.
+// At the limit of work the mesh consists of the triangles made by then.
 template <class Shape>
 void give_mesh(const Shape &shape, int64_t points, const nurbs_mesh_options *options, nurbs_mesh **out) {
     const mesh::MeshRule rule = rule_of(options);
@@ -89,7 +92,8 @@ void give_mesh(const Shape &shape, int64_t points, const nurbs_mesh_options *opt
     *out = new nurbs_mesh{mesh::mesh_of(shape, rule)};
 }
 
-// That of all levels but for the distance, which is here the first one, or none.
+// The rule common to all levels, after a check of their chord errors. Its own chord error is infinite: each
+// level brings its own. Both chord errors of the options are ignored.
 mesh::MeshRule rule_of_levels(const nurbs_mesh_options *options, std::span<const double> chords) {
     mesh::MeshRule rule = unchecked_rule_of(options);
     rule.relative = 0;
@@ -108,10 +112,10 @@ mesh::MeshRule rule_of_levels(const nurbs_mesh_options *options, std::span<const
     return rule;
 }
 
-// More are a mistake.
+// A larger number of levels is taken for a mistake.
 constexpr int64_t most_levels = 4096;
 
-// Of an array: all NULL.
+// As require_out(), for an array of `count` handles.
 void require_outs(int64_t count, nurbs_mesh **out) {
     check_length(count, "count");
     if (count > most_levels) {
@@ -139,7 +143,7 @@ void give_levels(const Shape &shape, int64_t points, std::span<const double> cho
     }
 }
 
-// Without meshes after wrong wishes, too.
+// As watched() for one handle: all handles are NULL also if the call options are wrong.
 template <class Body>
 nurbs_status watched_levels(int64_t count, nurbs_mesh **out, const nurbs_call_options *call, Body &&body) {
     if (out != nullptr && count > 0 && count <= most_levels) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What meshes hold.
+// Copies the contents of meshes to arrays of the caller: points, vertices, triangles, quads, faces, edges and
+// hexahedra.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -19,7 +20,7 @@ const mesh::Mesh &mesh_of(const nurbs_mesh *mesh) {
     return *mesh->mesh;
 }
 
-// `width` numbers for each of some things.
+// Stores record i of an array of records of `width` numbers.
 template <class Number, size_t width>
 void put_record(Number *out, size_t i, const std::array<double, width> &values) noexcept {
     for (size_t k = 0; k < width; ++k) {
@@ -49,7 +50,7 @@ bool is_welded(uint32_t flags) {
     return flags != 0;
 }
 
-// As vertices, or as points.
+// Stores record i of an array of corners, as numbers of vertices or, if welded, of points.
 template <class Integer, size_t width>
 void put_corners(const mesh::Mesh &own, bool welded, const std::array<int32_t, width> &vertices, size_t i,
                  Integer *out) noexcept {
@@ -70,11 +71,12 @@ void give_triangles(const mesh::Mesh &own, uint32_t flags, int64_t cap, Integer 
     put(count, int64_t{std::ssize(own.triangles)});
 }
 
-// So that its triangles are those of its corners 0, 1, 2 and 0, 2, 3, each from a corner of its own. Both have the ends of the diagonal,
-// and the first one has its third corner behind these.
+// The quad that triangles `first` and first + 1 form. Its corners 0, 1, 2 and 0, 2, 3 are those of the two
+// triangles, each of which may begin with any of its three. The triangles share the ends of the diagonal,
+// `to` and `from`, which follow the third corner a[k] of the first triangle in its cyclic order.
 std::array<int32_t, 4> quad_of(const mesh::Mesh &own, size_t first) {
     const std::array<int32_t, 3> &a = own.triangles[first], &b = own.triangles[first + 1];
-    size_t k = 0; // the corner that the second one does not have
+    size_t k = 0; // a[k]: the corner that b does not have
     while (std::ranges::find(b, a[k]) != b.end()) {
         ++k;
     }
@@ -83,7 +85,7 @@ std::array<int32_t, 4> quad_of(const mesh::Mesh &own, size_t first) {
     return {from, a[k], to, *other};
 }
 
-// The ends of a cell of a grid along each axis.
+// The lower and the upper end along each axis of a cell of a grid; the last axis varies fastest in `index`.
 template <size_t axes>
 std::array<double, 2 * axes> domain_of_cell(const std::array<std::vector<double>, axes> &lines,
                                             size_t index) {

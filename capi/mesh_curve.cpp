@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polylines in place of curves.
+// Approximates curves by polylines.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -16,7 +16,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// An angle or a length that limits segments; 0 is none.
+// An angle or a length of 0 is no limit; without either, `chord` must be finite.
 void check_rule(const mesh::PolylineRule &rule) {
     const bool limited = rule.angle > 0 || rule.longest > 0;
     if (!(rule.chord > 0) || (std::isinf(rule.chord) && !limited)) {
@@ -31,7 +31,7 @@ void check_rule(const mesh::PolylineRule &rule) {
     }
 }
 
-// Where a polyline goes; all may be null.
+// The caller's arrays for a polyline, any of which may be null.
 struct PolylineArrays {
     double *params, *points, *bound;
     int32_t *reached;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models: faces, edges and vertices in parts.
+// Models (boundary representations): reading them, and access to their faces, edges, vertices, parts, uses
+// and layers.
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nearest points of models.
+// Closest points (foot points) on models.
 #include "guard.h"
 #include "outputs.h"
 #include "ray_arguments.h"
@@ -18,7 +18,8 @@ namespace {
 
 constexpr int64_t work_of_a_point = 1000;
 
-// All of them before the first is written: any of them may want memory.
+// Finds all foot points before any is written to the caller's arrays, since each search may run out of
+// memory.
 std::vector<model::ModelFoot> feet_of(const model::Model &model, const ConstRecords &points,
                                       double tolerance) {
     model::ModelLocator locator(model);

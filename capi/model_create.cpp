@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models of faces: that know their common edges, and that are sewn.
+// Models made of faces: by the keys of the edges that faces share, or by sewing boundaries that coincide.
 #include "checks.h"
 #include "guard.h"
 #include "watched.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where models meet.
+// Intersections of two models, and the faces of the second one on which their branches and nodes lie.
 #include "checks.h"
 #include "guard.h"
 #include "meets.h"
@@ -22,7 +22,7 @@ const model::Model &named_model(const nurbs_model *model, const char *name) {
     return *model->model;
 }
 
-// The faces and instances of the second model, of branches or of nodes.
+// Stores the face and the instance of the second model for each branch, or for each node.
 template <class Of>
 void put_second(const std::vector<Of> &all, int64_t cap, int64_t *own_faces, int64_t *own_instances,
                 int64_t *count) {

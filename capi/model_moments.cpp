@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Area of models, and what they hold.
+// The area of the faces of a model, and volume, centroid and inertia of its solids.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

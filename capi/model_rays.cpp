@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays on models, and what is inside of them.
+// Ray casting on models, point-in-solid classification, and the instances of parts.
 #include "guard.h"
 #include "outputs.h"
 #include "ray_arguments.h"
@@ -23,6 +23,7 @@ void put_place(int64_t *places, size_t i, const model::ModelAnswer &answer) {
     put(places, 2 * i + 1, answer.instance);
 }
 
+// The answer for a ray that is not cast because the limit of work was reached.
 model::ModelAnswer not_looked_at() {
     return {{{nan_value, nan_value}, nan_value, 0, {}, false}};
 }
@@ -40,7 +41,8 @@ std::vector<model::ModelAnswer> first_answers(const model::Model &model, const C
     return answers;
 }
 
-// All of them before the first is written: any of them may want memory.
+// Classifies all points before any side is written to the caller's array, since each step may run out of
+// memory.
 std::vector<int32_t> sides_of(const model::Model &model, const ConstRecords &points, double tolerance) {
     const LimitedSearch search;
     model::Classifier classifier(model, tolerance);

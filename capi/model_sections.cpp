@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where planes cut models.
+// Plane sections of models.
 #include "checks.h"
 #include "guard.h"
 #include "meets.h"

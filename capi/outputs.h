@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outputs. Those that are NULL are not wanted.
+// Writing to the caller's output arrays. An output that is NULL is not wanted.
 #pragma once
 
 #include "checks.h"
@@ -22,7 +22,7 @@ void put(T *out, size_t i, T value) noexcept {
         out[i] = value;
     }
 }
-// The whole of a range.
+// Copies a whole range.
 template <class T, class Range>
 void put_all(T *out, const Range &values) noexcept {
     if (out != nullptr) {
@@ -30,13 +30,13 @@ void put_all(T *out, const Range &values) noexcept {
     }
 }
 
-// Of bounds that were proven to the tolerance, or not.
+// The status of bounds that were proven to within the tolerance, or not.
 inline int32_t bounds_status(bool certified) noexcept {
     return certified ? NURBS_CLOSEST_CERTIFIED : NURBS_CLOSEST_BUDGET;
 }
 
-// How many values go into arrays of a stated length: none if the length is 0, which asks for the number,
-// otherwise all. Throws NURBS_ERROR_SIZE if they do not fit.
+// The number of values to be written to arrays of length `cap`: none if cap is 0, which asks for the number
+// only, otherwise all. Throws NURBS_ERROR_SIZE if they do not fit.
 inline int64_t checked_cap(int64_t cap, int64_t needed) {
     check_length(cap, "cap");
     if (cap != 0 && cap < needed) {
@@ -46,7 +46,7 @@ inline int64_t checked_cap(int64_t cap, int64_t needed) {
     return cap == 0 ? 0 : needed;
 }
 
-// As many knots as the caller has room for, or their number.
+// Stores the number of knots and, unless cap is 0, the knots.
 inline void give_knots(std::span<const double> own, int64_t cap, double *knots, int64_t *count) {
     const int64_t filled = checked_cap(cap, std::ssize(own));
     check_apart({memory("knots", knots, filled), memory("count", count, 1)}, {});
@@ -54,7 +54,7 @@ inline void give_knots(std::span<const double> own, int64_t cap, double *knots, 
     put(count, std::ssize(own));
 }
 
-// An output as the caller describes it: records of `width` values.
+// An output array as the caller describes it: records of `width` values.
 struct Wanted {
     const char *name;
     double *data;
@@ -63,15 +63,16 @@ struct Wanted {
     int64_t component_stride;
 };
 
-// The strided outputs of a batch, and its array `status`: none may overlap another one or an input. Outputs
-// that are NULL are not wanted, and their strides are ignored.
+// The strided outputs of a batch, and its array `status`. None may overlap another one or an input. The
+// strides of outputs that are NULL are ignored.
 class Outputs {
 public:
     Outputs(int64_t count, const int32_t *status);
 
-    // The output as a view, after a check against the outputs before it. Precondition: at most 6 are added.
+    // A view of the output, after a check that it overlaps none of the outputs before it. Precondition: at
+    // most 6 are added.
     Records add(const Wanted &wanted);
-    // Checks all outputs against an input.
+    // Checks that no output overlaps an input.
     void check(const char *name, const ConstRecords &input) const;
     void check(const Memory &input) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of the domain as an argument.
+// A part of the domain (a box of parameters) as an argument.
 #pragma once
 
 #include "checks.h"
@@ -8,7 +8,7 @@
 
 namespace nrb::capi {
 
-// range is [axes][2], or NULL for the whole domain.
+// range: [axes][2], intervals of positive length in the domain; or NULL for the whole domain.
 inline Part checked_part(const Spline &spline, const double *range) {
     Part part = whole_domain(spline);
     for (int k = 0; range != nullptr && k < spline.axes(); ++k) {

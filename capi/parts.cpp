@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splines cut into parts, and the ends and seams of their axes.
+// Splitting, extracting, decomposing into Bezier pieces and joining; clamping the ends of axes and moving
+// their seams.
 #include "checks.h"
 #include "guard.h"
 #include "lists.h"

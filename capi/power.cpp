@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The power basis of the pieces, out and in.
+// Conversion to and from the power basis of the polynomial pieces.
 #include "guard.h"
 #include "sparse.h"
 
@@ -16,7 +16,7 @@ using namespace nrb::capi;
 
 namespace {
 
-// The number of values: pieces times coefficients times the width of a record.
+// The number of values of all coefficients: pieces * coefficients of a piece * width of a record.
 int64_t power_size(const Spline &spline) {
     int64_t size = spline.width();
     for (int k = 0; k < spline.axes(); ++k) {
@@ -69,7 +69,8 @@ void check_piece_counts(const AxesData &axes, const int64_t *piece_counts) {
     }
 }
 
-// Records in all; refuses numbers of pieces that no array can have.
+// The number of records of coefficients in all pieces. Refuses numbers of pieces that no array can have, and
+// a wrong break_count.
 int64_t check_totals(const AxesData &axes, const int64_t *piece_counts, int64_t break_count) {
     int64_t breaks = 0, records = 1;
     for (int k = 0; k < axes.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reflections and projections.
+// Reflections, and parallel and central projections, in and to a plane.
 #include "checks.h"
 #include "guard.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and weights for integrands of the caller.
+// Gauss quadrature over splines and faces: nodes and weights for integrands of the caller.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres, quadrics and the torus.
+// Spheres, other quadrics and the torus as NURBS surfaces.
 #include "guard.h"
 #include "lists.h"
 

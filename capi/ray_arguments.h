@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of rays.
+// Checks the arguments of ray casting.
 #pragma once
 
 #include "checks.h"
@@ -8,12 +8,13 @@
 
 namespace nrb::capi {
 
+// Multiply-adds counted for each ray or classified point, in addition to those that its search counts.
 constexpr int64_t work_of_a_ray = 200;
 
-// Throws NURBS_ERROR_DIRECTION for one that is not finite or 0.
+// Throws NURBS_ERROR_DIRECTION if a direction is not finite or is 0.
 void check_directions(const char *name, const ConstRecords &rows);
 
-// One ray, over all t >= 0 where the range is NULL.
+// A ray, limited to t in [range[0], range[1]], or to t >= 0 if range is NULL.
 intersect::RayQuery checked_ray(const double *origin, const double *direction, const double *range);
 
 inline Vector3 row(const ConstRecords &rows, int64_t i) {

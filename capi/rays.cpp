@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where rays meet surfaces and faces.
+// Ray casting on surfaces and faces.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -44,7 +44,7 @@ void put_rays(intersect::RayCaster &caster, const ConstRecords &origins, const C
     }
 }
 
-// The arrays of a call with many rays.
+// The arguments of a call that casts a batch of rays.
 struct RayArrays {
     int64_t n;
     const double *origins;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading files, and the lists that result.
+// Reads the curves and surfaces of files into lists.
 #include "checks.h"
 #include "guard.h"
 #include "read_settings.h"
@@ -19,7 +19,7 @@ namespace nrb::capi {
 
 namespace {
 
-// Size of the struct in the first release; no caller has a smaller one.
+// The size of the struct in the first release; no caller has a smaller one.
 constexpr int64_t smallest_options = offsetof(nurbs_read_options, max_bytes) + sizeof(int64_t);
 
 double tolerance_of(const nurbs_read_options &options) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be read, and how.
+// Arguments of the functions that read files: settings, and the text of a file.
 #pragma once
 
 #include "checks.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conics by their equation and their weights, and the recognition of shapes.
+// Principal axes of conics from their implicit equation, shape factors of conics from their weights, and the
+// recognition of elementary curves and surfaces.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"
@@ -17,14 +18,14 @@ using namespace nrb::capi;
 
 namespace {
 
-// Without -0.
+// Adding 0 turns -0 into 0.
 void copy(const Vector3 &v, double *out) noexcept {
     out[0] = v.x + 0.0;
     out[1] = v.y + 0.0;
     out[2] = v.z + 0.0;
 }
 
-// Numbers without a meaning for a shape are 0.
+// Numbers that have no meaning for the kind of shape are 0.
 void copy_placement(const recognize::Shape &shape, double *out) noexcept {
     const bool axis = shape.kind > NURBS_SHAPE_POINT && shape.kind != NURBS_SHAPE_SPHERE;
     copy(shape.origin, out);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operations that move the shape by no more than a proven bound.
+// Knot removal, degree reduction and simplification, which move the shape by no more than a proven bound, and
+// the deviation of two splines.
 #include "checks.h"
 #include "guard.h"
 #include "outputs.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inserting knots, and the matrices that do it.
+// Knot insertion, and the matrix that maps the old layers of control points to the new ones.
 #include "checks.h"
 #include "guard.h"
 #include "sparse.h"
@@ -24,6 +24,7 @@ std::vector<double> new_knots(const nurbs *g, int32_t axis, int64_t count, const
     return refine::checked_new_knots(g->spline->axis(axis), axis, {knots, static_cast<size_t>(count)});
 }
 
+// The number of matrix entries. A row of size 0 stands for a copy of an old layer, which is one entry 1.
 int64_t entries_of(const LayerTable &table) {
     int64_t total = 0;
     for (int64_t r = 0; r < table.rows(); ++r) {
@@ -32,7 +33,7 @@ int64_t entries_of(const LayerTable &table) {
     return total;
 }
 
-// Arrays that are null are not filled.
+// Fills the arrays that are not null.
 void fill(const LayerTable &table, const eval::SparseRows &rows) noexcept {
     int64_t at = 0;
     for (int64_t r = 0; r < table.rows(); ++r) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Regions of the plane, and parts of faces.
+// Regions of the plane bounded by closed curves, Boolean operations on regions, and faces split by curves or
+// trimmed by surfaces.
 #include "checks.h"
 #include "guard.h"
 #include "watched.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Segments in other bases: Hermite data, and the matrices between bases.
+// Cubic Hermite curves, and the matrices that change the basis of a polynomial segment.
 #include "base/checked.h"
 #include "basis/basis_matrix.h"
 #include "checks.h"
@@ -45,7 +45,7 @@ void check_rising(const double *params, int64_t n) {
     }
 }
 
-// Both ends four times, the others twice: C^1.
+// The knots of a C^1 cubic: both ends have multiplicity 4, all other parameters multiplicity 2.
 std::vector<double> hermite_knots(const double *params, int64_t n) {
     std::vector<double> knots(2, params[0]);
     for (int64_t i = 0; i < n; ++i) {
@@ -66,7 +66,8 @@ void check_finite(const ConstRecords &records, const char *name) {
     }
 }
 
-// P - h T / 3 or P + h T / 3.
+// Component c of the Bezier point next to point P on one side of it: P + side * h T / 3, where T is the
+// tangent at P, h the length of the span on that side, and side = -1 or 1.
 double beside(const ConstRecords &points, const ConstRecords &tangents, int64_t i, int64_t c, double h,
               int side) {
     const double result = points(i, c) + side * (h * tangents(i, c)) / 3;
@@ -80,7 +81,8 @@ double beside(const ConstRecords &points, const ConstRecords &tangents, int64_t 
     return result;
 }
 
-// The Bezier points next to each point, and the two ends.
+// The control points, two for each point: the Bezier points before and after it. At an end of the curve the
+// point itself takes the place of the one that is missing.
 std::vector<double> hermite_points(const double *params, const ConstRecords &points,
                                    const ConstRecords &tangents) {
     const int64_t n = points.count, dim = points.width;
@@ -133,8 +135,7 @@ nurbs_status nurbs_to_hermite(const nurbs *g, int64_t cap, double *params, doubl
         check_apart({memory("params", params, filled), memory("points", points, values),
                      memory("tangents", tangents, values), memory("count", count, 1)},
                     {});
-        const refine::HermiteData data =
-            refine::hermite_data(g->spline); // refuses a degree without a matrix, whatever else is wanted
+        const refine::HermiteData data = refine::hermite_data(g->spline); // also if cap is 0, for its errors
         if (cap != 0) {
             put_all(params, data.params);
             put_all(points, data.points);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays for matrices. A first call may ask for their length, a second call fills them.
+// Output arrays for sparse matrices. A call with cap = 0 asks for their length; another call fills them.
 #pragma once
 
 #include "outputs.h"
@@ -8,13 +8,14 @@
 
 namespace nrb::capi {
 
-// The caller's arrays for a sparse matrix.
+// The caller's arrays for a matrix in compressed sparse rows (CSR).
 class SparseArrays {
 public:
     SparseArrays(int64_t cap, double *values, int64_t *columns, int64_t *row_pointers, int64_t *entries)
         : cap_(cap), values_(values), columns_(columns), row_pointers_(row_pointers), entries_(entries) {}
 
-    // Checks lengths and overlap; returns the arrays to be filled.
+    // Checks lengths and overlap for a matrix of n rows and `total` entries; returns the arrays to be filled,
+    // which include row_pointers also if cap is 0.
     [[nodiscard]] eval::SparseRows check(int64_t n, int64_t total,
                                          std::initializer_list<Memory> inputs) const {
         const int64_t filled = checked_cap(cap_, total);

@@ -26,7 +26,7 @@ bool one_after_the_other(const ConstRecords &view) noexcept {
 std::vector<double> packed(ConstRecords view) {
     const auto size = static_cast<size_t>(checked_product(view.count, view.width, "points"));
     std::vector<double> values;
-    values.reserve(size + Spline::padding); // so that a spline need not move them
+    values.reserve(size + Spline::padding); // so that a spline appends its padding without reallocation
     if (one_after_the_other(view)) {
         values.assign(view.data, view.data + size);
         return values;
@@ -77,9 +77,10 @@ int64_t AxesData::point_count() const {
     return count;
 }
 
-// Whether an array can have that length is left to check_size(), which compares it with the caller's length.
+// Does not check that an array can have this length: check_size() does so, after comparing it with the
+// caller's length.
 int64_t AxesData::knot_total(int extra) const {
-    constexpr int64_t most = std::numeric_limits<int64_t>::max() / 8; // the sum of three does not overflow
+    constexpr int64_t most = std::numeric_limits<int64_t>::max() / 8; // a sum of three cannot overflow
     int64_t total = 0;
     for (int k = 0; k < size_; ++k) {
         const AxisData &axis = (*this)[k];
@@ -94,7 +95,7 @@ int64_t AxesData::knot_total(int extra) const {
 
 Spline::Axes AxesData::with_knots(const double *knots, int64_t knot_count) const {
     check_size(knot_count, knot_total(1), "knot_count");
-    static_cast<void>(point_count()); // before so many knots are read
+    static_cast<void>(point_count()); // refuses numbers of points before that many knots are read
     require(knots, "knots");
     return make(
         [knots](const AxisData &axis, int, int64_t offset) {

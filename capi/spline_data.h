@@ -21,7 +21,7 @@ class AxesData {
 public:
     // Checks degrees, counts and creation flags.
     AxesData(int32_t axes, const int32_t *degrees, const int64_t *counts, uint32_t flags);
-    // Bezier: degree + 1 points along each axis.
+    // Bezier form: degree + 1 control points along each axis.
     AxesData(int32_t axes, const int32_t *degrees);
 
     [[nodiscard]] int size() const noexcept { return size_; }
@@ -30,12 +30,12 @@ public:
     // The sum of counts[k] + degrees[k] + extra.
     [[nodiscard]] int64_t knot_total(int extra) const;
 
-    // Over full knot vectors, one axis after the other.
+    // The axes, from an array of full knot vectors, one axis after the other.
     [[nodiscard]] Spline::Axes with_knots(const double *knots, int64_t knot_count) const;
 
-    // knots_of(axis, index, offset) returns the full knots of an axis and the place in the caller's array
-    // that messages count from; `offset` is the number of knots of the axes before, each of count + degree +
-    // extra.
+    // knots_of(axis, index, offset) returns the full knot vector of an axis, and the index that messages give
+    // to its first knot, in the caller's array. `offset` is the number of knots of the axes before, each of
+    // which has count + degree + extra.
     template <class KnotsOf>
     [[nodiscard]] Spline::Axes make(KnotsOf &&knots_of, int extra) const {
         Spline::Axes axes;
@@ -54,12 +54,12 @@ private:
     std::array<AxisData, max_axes> axes_{};
 };
 
-// Whether axis k is flagged NURBS_PERIODIC; other flags are NURBS_ERROR_FLAGS.
+// Whether axis k is flagged NURBS_PERIODIC. Throws NURBS_ERROR_FLAGS for other flags.
 bool decode_periodic(uint32_t flags, int32_t axes, int k);
 
-// The records one after the other, with memory after them for the padding of a spline.
+// A packed copy of the records, with capacity for the padding of a spline.
 std::vector<double> packed(ConstRecords view);
-// The same to be read: those of the caller, or in `room` where they are not one after the other.
+// Packed records for reading: those of the caller if they are packed, else a copy in `room`.
 std::span<const double> packed(ConstRecords view, std::vector<double> &room);
 
 struct PointsData {
@@ -70,7 +70,7 @@ struct PointsData {
     const double *weights;
     int64_t weight_stride;
 
-    // `kept` replaces weights that the caller did not give. Without either the spline is polynomial.
+    // `kept`: the weights if the caller gives none. Without either the spline is polynomial.
     [[nodiscard]] SplinePtr make(Spline::Axes axes, int64_t count, std::vector<double> kept = {}) const;
     [[nodiscard]] SplinePtr make_homogeneous(Spline::Axes axes, int64_t count) const;
 };

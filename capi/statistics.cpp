@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Statistics of data.
+// Statistics for least squares fits: sums over the data in each cell of a grid, which can be added and
+// subtracted.
 #include "bytes.h"
 #include "fit_arguments.h"
 #include "guard.h"
@@ -65,7 +66,7 @@ int checked_scale(double scale, const char *name) {
     return fit::exponent_above(scale);
 }
 
-// The breaks of an axis, as a knot vector of degree 0.
+// The breaks of an axis, as a knot vector of degree 0, whose spans are the cells.
 KnotVectorPtr checked_breaks(const double *breaks, int64_t count, int axis, int64_t offset) {
     for (int64_t i = 0; i < count; ++i) {
         if (!std::isfinite(breaks[i])) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Version, statuses and the calling thread's last message.
+// The version, the translation of exceptions to statuses, and the last error message of the calling thread.
 #include "guard.h"
 
 #include "base/error.h"
@@ -13,8 +13,8 @@
 
 namespace {
 
-// A plain array: thread-local without constructor or destructor, so that it works when memory is short and as
-// threads end.
+// A plain array, which has neither constructor nor destructor, so that it can be used when memory is
+// exhausted and while a thread ends.
 thread_local char last_message[nrb::Error::capacity];
 
 void remember(const char *message) noexcept {

@@ -9,7 +9,7 @@ namespace nrb::capi {
 
 namespace {
 
-// No release will have a larger one: a larger size is garbage rather than a newer header.
+// No release will have a larger struct: a larger size is garbage rather than that of a newer header.
 constexpr int64_t largest = 4096;
 
 } // namespace

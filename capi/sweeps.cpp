@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces and volumes from curves and surfaces.
+// Surfaces and volumes from curves and surfaces: extrusion, revolution, ruling, tensor sums and products,
+// swung surfaces.
 #include "checks.h"
 #include "guard.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Periodic axes without what they repeat.
+// Periodic axes in unwrapped form, in which each control point and each knot of a period occurs once.
 #include "guard.h"
 #include "outputs.h"
 
@@ -14,7 +14,7 @@ namespace {
 using namespace nrb;
 using namespace nrb::capi;
 
-// The number of control points along an axis, from that of those that differ.
+// The number of stored control points along periodic axis k, `count` of which are distinct.
 int64_t wrapped_count(int32_t degree, int64_t count, int k) {
     check_degree(degree, k);
     if (count < 1) {
@@ -53,7 +53,7 @@ std::pair<std::vector<double>, int64_t> all_knots(const AxisData &axis, std::spa
 }
 
 Spline::Axes wrapped_knot_vectors(const AxesData &axes, const double *knots, int64_t knot_count) {
-    static_cast<void>(axes.knot_total(1)); // refuses counts so large that the sum below would overflow
+    static_cast<void>(axes.knot_total(1)); // refuses counts for which the sum below would overflow
     int64_t total = 0, offset = 0;
     for (int k = 0; k < axes.size(); ++k) {
         total += unwrapped_knot_count(axes[k]);
@@ -69,7 +69,7 @@ Spline::Axes wrapped_knot_vectors(const AxesData &axes, const double *knots, int
         1);
 }
 
-// Values are checked before they are wrapped, so that messages count along the arrays of the caller.
+// Checks values before they are wrapped, so that indices in messages are those of the caller's arrays.
 SplinePtr wrapped_spline(Spline::Axes axes, const PointsData &net, int64_t count) {
     check_dimension(net.dim);
     std::vector<double> weights;

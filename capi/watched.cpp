@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The long calls whose arguments are those of their plain forms.
+// Call options, buffers for the results of watched batches, and those functions nurbs_X_with() that only run
+// nurbs_X() as a watched call.
 #include "watched.h"
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls that the caller watches, limits and ends.
+// Watched calls: long calls whose progress the caller follows, whose work it limits, and which it may cancel.
 #pragma once
 
 #include "guard.h"
@@ -13,7 +13,7 @@ namespace nrb::capi {
 
 Watch::Wishes wishes_of(const nurbs_call_options *call);
 
-// Runs body(), which returns a status, as a watched call.
+// Runs body(), which returns a status, under the watch that the call options describe.
 template <class Body>
 nurbs_status watched(const nurbs_call_options *call, Body &&body) {
     nurbs_status status = NURBS_OK;
@@ -24,7 +24,7 @@ nurbs_status watched(const nurbs_call_options *call, Body &&body) {
     return wishes == NURBS_OK ? status : wishes;
 }
 
-// The same for bodies with a new handle, which is NULL after wrong wishes too.
+// The same for a body that makes a new handle, which is NULL also if the call options are wrong.
 template <class Handle, class Body>
 nurbs_status watched(const nurbs_call_options *call, Handle **out, Body &&body) {
     if (out != nullptr) {
@@ -33,8 +33,8 @@ nurbs_status watched(const nurbs_call_options *call, Handle **out, Body &&body) 
     return watched(call, body);
 }
 
-// Where a batch writes as it goes: into the arrays of the caller, or, if the call is watched and may end before all
-// is written, into others from which commit() copies.
+// Where a batch writes its results one after the other: to the caller's arrays or, if the call is watched and
+// may end before all is written, to a buffer, from which commit() copies them.
 class StagedRecords {
 public:
     explicit StagedRecords(const Records &wanted);

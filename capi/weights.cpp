@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes of the weights that keep the shape.
+// Changes of the weights that keep the shape: normalization and rational linear reparametrization.
 #include "refine/forms/weights.h"
 
 #include "checks.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models, lists and meshes as files.
+// Writes models, lists and meshes to memory and to files.
 #include "bytes.h"
 #include "checks.h"
 #include "guard.h"
@@ -53,7 +53,7 @@ void write_file(const model::Model &model, const char *path, int32_t format,
     io::write_whole_file(path, io::write(model, format, settings_of(options)));
 }
 
-// What a source gives, one block behind the other.
+// Copies the blocks that a source yields, one after the other.
 void fill(std::span<unsigned char> out, const io::ByteSource &source) {
     source([&out](std::string_view block) {
         std::memcpy(out.data(), block.data(), block.size());
@@ -61,7 +61,7 @@ void fill(std::span<unsigned char> out, const io::ByteSource &source) {
     });
 }
 
-// A call that may be ended writes nothing before the end.
+// A watched call, which may end early, writes to the caller's array only when all bytes are known.
 void fill_whole(std::span<unsigned char> out, const io::ByteSource &source) {
     if (Watch::current() == nullptr) {
         return fill(out, source);

@@ -33,7 +33,7 @@ Polynomial multiplied(const Polynomial &a, const Polynomial &b) {
     return product;
 }
 
-// 1, raised to a degree.
+// The constant 1 as a polynomial of a degree.
 Polynomial one(int degree) {
     return Polynomial(static_cast<size_t>(degree) + 1, 1.0);
 }
@@ -52,7 +52,7 @@ double arc_tangent_quotient(double y, int derivative) noexcept {
     return sum;
 }
 
-// q of helix.h as a function of y - k^2: g(k^2), g'(k^2), g''(k^2) / 2.
+// The coefficients of q (helix.h) in powers of y - k^2: g(k^2), g'(k^2), g''(k^2) / 2.
 std::array<double, 3> taylor_of_angle(double y) noexcept {
     const double h0 = arc_tangent_quotient(y, 0), h1 = arc_tangent_quotient(y, 1),
                  h2 = arc_tangent_quotient(y, 2);
@@ -60,8 +60,9 @@ std::array<double, 3> taylor_of_angle(double y) noexcept {
     return {2 * s * s * s * h0, 2 * s * s * (3 * h0 + s * h1), s * (6 * h0 + s * (6 * h1 + s * h2))};
 }
 
-// What all pieces have in common: the control points of a piece centred on the angle 0, for a radius of 1 and
-// for a radius that is the approximated angle, and that angle itself.
+// A piece centred on the angle 0, of which all pieces are made: its control points for the radius 1 (x, y)
+// and for a radius equal to the approximated angle (growing_x, growing_y), and the coefficients of that
+// angle.
 struct CoilPiece {
     int degree;
     Polynomial weights;
@@ -76,7 +77,7 @@ void divide(Polynomial &a, const Polynomial &weights) noexcept {
     }
 }
 
-// The numerator of the approximated angle over w^3, w = (1 + x^2) / (1 + k^2).
+// The numerator of the approximated angle over the denominator w^3, w = (1 + x^2) / (1 + k^2).
 Polynomial angle_numerator(double k) {
     const std::array<double, 3> q = taylor_of_angle(k * k);
     const Polynomial below = {0, -2 * k * k, 0}; // x^2 - k^2
@@ -126,7 +127,7 @@ void check_helix(const Helix &shape, int dim, double tolerance) {
         fail(Status::factor, "turns = %s, expected a finite number above 0", Number(shape.turns).text);
     }
     const double last = std::fma(shape.growth, shape.turns, shape.radius);
-    if (!(last >= -4 * 0x1p-52 * shape.radius)) { // a smaller value is rounding, and becomes 0
+    if (!(last >= -4 * 0x1p-52 * shape.radius)) { // down to here it is rounding, and becomes 0
         refuse("radius + growth * turns", last, "at least 0");
     }
     if (!std::isfinite(tolerance) || !(tolerance > 0)) {
@@ -136,12 +137,12 @@ void check_helix(const Helix &shape, int dim, double tolerance) {
 
 constexpr double error_factor = 0.21760; // 32 / 35 (6/7)^3 / sqrt(7) = 0.217596...
 
-// The error of the approximated angle on a piece, as an angle.
+// A bound of the error of the approximated angle on a piece.
 double angle_error(double piece_angle) noexcept {
     return error_factor * std::pow(std::tan(piece_angle / 4), 7);
 }
 
-// How far a point moves for each unit of angle in radius and pitch, but not round the axis.
+// The movement in radius and height per radian, without the movement around the axis.
 double slope(const Helix &shape) noexcept {
     return std::hypot(shape.growth, shape.pitch) / turn;
 }
@@ -157,7 +158,7 @@ int64_t piece_count(const Helix &shape, double tolerance) {
     }
     auto count = std::max<int64_t>(1, static_cast<int64_t>(pieces));
     while (slope(shape) * angle_error(turn * shape.turns / static_cast<double>(count)) > tolerance) {
-        ++count; // the root was rounded
+        ++count; // because the root was rounded
     }
     return count;
 }
@@ -167,13 +168,14 @@ public:
     HelixPoints(const Placement &place, const Helix &shape, int64_t pieces)
         : place_(place), shape_(shape), halves_(2 * pieces), start_(make_angle(shape.start, "start")) {}
 
-    // The end of a piece: a point of the true curve.
+    // Joint i, where piece i begins: a point of the true curve.
     void joint(int64_t i, double *out) const noexcept {
         const double turns = turns_at(2 * i);
         const Direction d = direction_at(2 * i);
         const double radius = std::max(0.0, std::fma(shape_.growth, turns, shape_.radius));
         place_.point(radius * d.cos, radius * d.sin, shape_.pitch * turns, out);
     }
+    // Inner control point j of piece i.
     void inner(const CoilPiece &piece, int64_t i, size_t j, double *out) const noexcept {
         const double turns = turns_at(2 * i + 1), growth = shape_.growth / turn;
         const Direction d = direction_at(2 * i + 1);
@@ -186,12 +188,12 @@ public:
     [[nodiscard]] double knot(int64_t i) const noexcept { return turns_at(2 * i); }
 
 private:
-    // Turns from the start to a number of half pieces.
+    // The number of turns from the start to the end of `half` half pieces.
     [[nodiscard]] double turns_at(int64_t half) const noexcept {
         return half == halves_ ? shape_.turns
                                : shape_.turns * static_cast<double>(half) / static_cast<double>(halves_);
     }
-    // The part of a turn there, with the rounding error of the product added back.
+    // The direction there. The rounding error of the product is added back to the fraction of a turn.
     [[nodiscard]] Direction direction_at(int64_t half) const noexcept {
         const auto k = static_cast<double>(half), n = static_cast<double>(halves_);
         const double product = k * shape_.turns, rest = std::fma(k, shape_.turns, -product);

@@ -20,7 +20,7 @@ DoubleDouble dot(const WideVector &a, const WideVector &b) noexcept {
 WideVector cross(const WideVector &a, const WideVector &b) noexcept {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-// Exact along the coordinate axes, where most frames are.
+// A unit vector; exact along the coordinate axes, as most axes of frames are.
 WideVector unit(const WideVector &a) noexcept {
     for (size_t k = 0; k < 3; ++k) {
         if (a[(k + 1) % 3].high == 0 && a[(k + 2) % 3].high == 0) {
@@ -32,7 +32,7 @@ WideVector unit(const WideVector &a) noexcept {
     const DoubleDouble scale = DoubleDouble(1) / square_root(dot(a, a));
     return {a[0] * scale, a[1] * scale, a[2] * scale};
 }
-// The unit vector of the part of a across the unit vector t.
+// The unit vector along the component of a perpendicular to the unit vector t.
 WideVector unit_across(const WideVector &a, const WideVector &t) noexcept {
     const DoubleDouble part = dot(a, t);
     return unit(WideVector{a[0] - part * t[0], a[1] - part * t[1], a[2] - part * t[2]});
@@ -43,7 +43,7 @@ WideVector scaled_vector(const double *v, int dim) noexcept {
     return {scaled.x, scaled.y, scaled.z};
 }
 
-// The coordinate direction of the smallest component, the first of equal ones.
+// The coordinate direction of the smallest component, the first one of equal ones.
 WideVector least_direction(const WideVector &a) noexcept {
     const auto least = std::ranges::min_element(
                            a, {}, [](const DoubleDouble &component) { return std::fabs(component.high); }) -
@@ -53,9 +53,9 @@ WideVector least_direction(const WideVector &a) noexcept {
     return direction;
 }
 
-// Adds a product, its rounding error, and the products of the remainders.
+// Adds a product: that of the high parts, its rounding error, and the products of a high with a low part.
 void add_product(const DoubleDouble &a, const DoubleDouble &b, CompensatedSum &sum) noexcept {
-    if (a.high == 0 || b.high == 0) { // most of them are, in planes and along the axes
+    if (a.high == 0 || b.high == 0) { // frequent in planes and along the coordinate axes
         return;
     }
     const double product = a.high * b.high;

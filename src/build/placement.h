@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The position of a shape: an origin and a frame of unit vectors.
+// The placement of a shape: an origin and a frame of unit vectors.
 #pragma once
 
 #include "numeric/double_double.h"
@@ -9,22 +9,23 @@
 
 namespace nrb::build {
 
-// The frame is known to twice the precision, so that its rounding does not tilt or shear shapes.
+// The frame is kept in double-double precision, so that its rounding does not tilt or shear shapes.
 struct Placement {
     Vector3 origin;
     Vector3 x; // rounded
     Vector3 y;
     Vector3 z;
     int dim;             // 2 or 3
-    Vector3 x_rest = {}; // what rounding left out
+    Vector3 x_rest = {}; // the low parts, which rounding left out
     Vector3 y_rest = {};
     Vector3 z_rest = {};
-    // The directions of which make_placement() made the frame, not normalized; 0: none was given. They make the same frame again,
-    // which x and z, being rounded, may not.
+    // The directions from which make_placement() made the frame, not normalized; 0: none was given. They
+    // reproduce the frame exactly; the rounded x and z may not.
     Vector3 given_axis = {};
     Vector3 given_x = {};
 
-    // origin + a x + b y + c z, `dim` coordinates, each rounded as if computed in twice the precision.
+    // The `dim` coordinates of origin + a x + b y + c z, each rounded as if computed in double-double
+    // precision.
     void point(const DoubleDouble &a, const DoubleDouble &b, const DoubleDouble &c,
                double *out) const noexcept;
 
@@ -38,7 +39,7 @@ struct Placement {
     [[nodiscard]] Component component(int c) const noexcept;
 };
 
-// As nurbs.h says for the curves of its group: origin, axis and x have `dim` coordinates each, or are null.
+// The placement that nurbs.h defines for curves. Origin, axis and x have `dim` coordinates each, or are null.
 // Throws Status::dimension, point_not_finite, direction; `name` names the origin in messages.
 Placement make_placement(int32_t dim, const double *origin, const double *axis, const double *x,
                          const char *name);

@@ -24,8 +24,8 @@ std::vector<double> scaled(std::vector<double> v, double factor) {
     return v;
 }
 
-// The part of v across a unit vector. It is computed twice, because cancellation leaves some of the other
-// part.
+// The component of v perpendicular to a unit vector. The second pass removes what cancellation leaves of the
+// other component.
 std::vector<double> across(std::vector<double> v, std::span<const double> unit) {
     for (int pass = 0; pass < 2; ++pass) {
         const double part = numeric::dot(v, unit);
@@ -36,7 +36,7 @@ std::vector<double> across(std::vector<double> v, std::span<const double> unit) 
     return v;
 }
 
-// The power of two that brings a size to about 1, if it is itself a number.
+// The power of two that brings a size near 1, but at most 2^1000; 1 for the size 0.
 double power_of_two(double size) noexcept {
     return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1000)) : 1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plane of three points in any dimension, with coordinates in it.
+// The plane of three points in a space of any dimension, with coordinates in the plane.
 #pragma once
 
 #include "numeric/double_double.h"
@@ -10,7 +10,7 @@
 
 namespace nrb::build {
 
-// A point or vector of a plane, in twice the precision.
+// A point or vector of a plane, in double-double precision.
 struct Point2 {
     DoubleDouble x;
     DoubleDouble y;
@@ -32,27 +32,29 @@ inline double length(const Point2 &a) noexcept {
     return std::hypot(a.x.value(), a.y.value());
 }
 
-// Coordinates are offsets from the first point, times a power of two that brings the largest offset of the
-// three points to about 1. In dimension 2 they are along the coordinate axes and exact; otherwise they are
-// along the chord to the second point, and across it towards the third.
+// Plane coordinates: offsets from the first point, times a power of two that brings the largest offset of the
+// other two points near 1. In dimension 2 the axes are the coordinate axes, and the coordinates are exact.
+// Otherwise the first axis is along the chord to the second point, the other one perpendicular to it, towards
+// the third.
 class PlaneFrame {
 public:
     using Coordinates = std::span<const double>;
 
-    // Throws Status::collinear if the height of `third` over the line through the other two is at most 8
-    // eps of the largest coordinate, or if two of the points are as close as that; `what` names the points.
+    // Throws Status::collinear if the height of `third` over the line through the other two is at most 8 eps
+    // times the largest coordinate, or if two of the points are that close to each other; `what` names the
+    // points.
     PlaneFrame(Coordinates first, Coordinates second, Coordinates third, const char *what);
 
     [[nodiscard]] Point2 point(Coordinates x) const;
-    // The coordinates of a direction, brought to about 1 by a power of two.
+    // The plane coordinates of a direction, scaled near 1 by a power of two.
     [[nodiscard]] Point2 direction(Coordinates v) const;
-    // The largest possible rounding of the given coordinates, in these coordinates.
+    // The largest possible rounding error of the given coordinates, in plane coordinates.
     [[nodiscard]] double rounding() const noexcept { return rounding_; }
-    // Throws Status::conic if a point, or a direction, is out of the plane by more than rounding explains.
+    // Throw Status::conic if a point, or a direction, leaves the plane by more than rounding explains.
     void check_point(Coordinates x, const char *name) const;
     void check_direction(Coordinates v, const char *name) const;
 
-    // The vector in space for a vector of the plane.
+    // A vector of the plane as a vector of space.
     [[nodiscard]] std::vector<double> vector(const Point2 &v) const;
 
 private:
@@ -64,7 +66,7 @@ private:
     std::vector<double> v_;
     double scale_; // a power of two
     double rounding_;
-    double tilt_; // uncertainty of the plane's direction
+    double tilt_; // by which angle rounding may tilt the plane
 };
 
 } // namespace nrb::build

@@ -35,7 +35,7 @@ void append(std::vector<double> &points, const Placement &place, double x, doubl
     place.point(x, y, 0, points.data() + points.size() - place.dim);
 }
 
-// The first point once more; coordinates that overflowed are refused.
+// Appends the first point once more; throws if a coordinate has overflowed.
 void close(std::vector<double> &points, int dim) {
     require_representable(points, "the corners");
     for (int c = 0; c < dim; ++c) {
@@ -53,8 +53,7 @@ SplinePtr rectangle(const Placement &place, double x, double y) {
     return polyline(place.dim, std::move(points), even_params(5));
 }
 
-// Bezier points of degree 2, one piece after the other. The first point of a piece is left out, except for
-// the first piece.
+// Bezier points and weights of consecutive quadratic pieces; the common end of two pieces is stored once.
 class Outline {
 public:
     explicit Outline(const Placement &place) : place_(place) {}

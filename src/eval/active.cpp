@@ -19,8 +19,8 @@ double largest_coordinate(const Spline &spline, int64_t point) noexcept {
     return size;
 }
 
-// The values that a bound in homogeneous space needs: the largest |w_i P_i| and |w_i|, and w(t) C(t) in the
-// last dim + 1 values.
+// Collects the quantities of the hull size in homogeneous space: the largest |w_i P_i|, the largest |w_i|,
+// and the sum w(t) C(t), w(t), whose dim + 1 components are accumulated in `sums`.
 class HomogeneousHull {
 public:
     HomogeneousHull(const Spline &spline, std::vector<double> &sums) : spline_(spline), sums_(sums) {
@@ -42,8 +42,8 @@ public:
 
     [[nodiscard]] bool positive() const noexcept { return positive_; }
 
-    // The numerator may be off by eps max|w_i P_i|, the denominator by eps max|w_i|; the latter moves the
-    // quotient C in proportion.
+    // The quotient C = (w C) / w is computed from a numerator with an error of about eps max|w_i P_i| and a
+    // denominator with an error of about eps max|w_i|. The latter changes C by eps |C| max|w_i| / |w|.
     [[nodiscard]] double size() const noexcept {
         const double weight = std::abs(sums_.back());
         double point = 0;
@@ -61,6 +61,7 @@ private:
     bool positive_ = true;
 };
 
+// The largest |coordinate| of an active control point of positive weight.
 double cartesian_hull(const Spline &spline, const ActivePoints &active) noexcept {
     double size = 0;
     active.for_each([&](int64_t point, double) {
@@ -71,6 +72,8 @@ double cartesian_hull(const Spline &spline, const ActivePoints &active) noexcept
     return size;
 }
 
+// The hull size at one parameter. The homogeneous formula is needed only if some active weight is negative or
+// some active point lies at infinity.
 double hull_size(const Spline &spline, const ActivePoints &active, std::vector<double> &sums) noexcept {
     if (spline.form() == Form::homogeneous) {
         HomogeneousHull hull(spline, sums);
@@ -82,7 +85,8 @@ double hull_size(const Spline &spline, const ActivePoints &active, std::vector<d
     return cartesian_hull(spline, active);
 }
 
-// Fills w_i N_i and returns their divisor.
+// Writes the products w_i N_i to `functions` and returns what they have to be divided by: w(t), or 1 for a
+// polynomial spline.
 double weighted_functions(const Spline &spline, const ActivePoints &active, std::vector<double> &functions) {
     double sum = 0;
     auto next = functions.begin();

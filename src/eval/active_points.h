@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The control points that are active at a parameter, with the values or derivatives of their (polynomial)
-// basis functions.
+// The control points that are active at a parameter, with the products over the axes of their polynomial
+// basis functions, or of derivatives of these.
 #pragma once
 
 #include "base/scratch.h"
@@ -12,9 +12,12 @@
 
 namespace nrb::eval {
 
+// Iterates over the active control points of one parameter after the other. A curve or surface is treated as
+// a volume whose missing axes have one layer and the constant function 1.
 class ActivePoints {
 public:
-    // Derivatives up to highest[k] are at hand on axis k.
+    // `highest`: the highest order of derivatives that for_each() and functions() can be asked for, on each
+    // axis.
     ActivePoints(const Spline::Axes &axes, const AxisRules &rules, const Orders &highest = {})
         : scratch_(size_t{max_axes} * max_basis + scratch_size(axes, highest)) {
         for (size_t k = 0; k < max_axes; ++k) {
@@ -23,7 +26,7 @@ public:
                 counts_[k] = axes[k]->count();
                 axes_[k].emplace(*axes[k], rules[k], highest[k]);
                 bases_[k].values = scratch_.take(axes_[k]->values_size());
-            } else { // one layer and one function, the constant 1
+            } else { // an axis that the spline lacks: one layer, and the constant 1 as its function
                 bases_[k].values = scratch_.take(1);
                 bases_[k].values[0] = 1;
             }
@@ -35,12 +38,13 @@ public:
     [[nodiscard]] int64_t size() const noexcept { return size_; }
     [[nodiscard]] int degree(size_t k) const noexcept { return degrees_[k]; }
     [[nodiscard]] int64_t span(size_t k) const noexcept { return bases_[k].first + degrees_[k]; }
-    // Derivative `order` of the degree + 1 functions of axis k.
+    // Derivative `order` of the degree + 1 basis functions of axis k, at the parameter that was located last.
     [[nodiscard]] const double *functions(size_t k, int order) const noexcept {
         return bases_[k].values + static_cast<int64_t>(order) * (degrees_[k] + 1);
     }
 
-    // False when parameter i gives NaN; then the active points are the first ones and have no functions.
+    // Moves to parameter i. Returns false if the parameter gives NaN. The active points are then those of the
+    // first degree + 1 layers of each axis, and the values of their functions are meaningless.
     bool locate(ConstRecords params, int64_t i) noexcept {
         bool valid = true;
         for (size_t k = 0; k < max_axes && axes_[k]; ++k) {
@@ -52,8 +56,8 @@ public:
         return valid;
     }
 
-    // visit(point, value): index of the control point and the product of its basis functions, or of their
-    // derivatives; the last axis varies fastest.
+    // Calls visit(point, value) for each active control point, the last axis varying fastest: its index in
+    // the net, and the product of its basis functions, or of their derivatives of the given orders.
     template <class Visit>
     void for_each(const Orders &orders, Visit &&visit) const {
         const double *u = functions(0, orders[0]);

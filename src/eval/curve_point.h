@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A single point of a curve.
+// Single points of curves, and the end points of their domains.
 #pragma once
 
 #include "eval/evaluate.h"
@@ -8,7 +8,8 @@
 
 namespace nrb::eval {
 
-// At a parameter of the domain; at a knot from its left or its right side. out: [dim].
+// The point at a parameter of the domain. At a knot, `left` chooses the polynomial piece to the left of the
+// knot, otherwise the piece to the right is taken. out: [dim].
 inline void curve_point(const Spline &curve, double t, bool left, double *out) {
     AxisRules rules{};
     rules[0].left = left;
@@ -21,7 +22,7 @@ inline std::vector<double> curve_point(const Spline &curve, double t, bool left)
     return x;
 }
 
-// At an end of the domain. out: [dim].
+// The point at the upper or the lower end of the domain, as a limit from within. out: [dim].
 inline void end_point(const Spline &curve, bool upper, double *out) {
     const Interval domain = curve.axis(0).domain();
     curve_point(curve, upper ? domain.upper : domain.lower, upper, out);

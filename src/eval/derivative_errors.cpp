@@ -11,14 +11,17 @@ namespace nrb::eval {
 
 namespace {
 
-// Sums of the magnitudes of the terms of derivatives 1 and 2 of all basis functions of an axis. Each step
-// from degree d - 1 multiplies by at most 2 d / min(t_(i+d) - t_i) over the functions of that degree that do
-// not vanish on the domain; the functions of the lowest degree add up to 1.
+// Bounds for one axis of sum_i |terms of N_i'| and sum_i |terms of N_i''|, where a derivative is expanded by
+// the difference formula down to the functions of the lowest degree, and the magnitudes of all terms are
+// added. The functions of the lowest degree add up to 1. Each step from degree d - 1 to degree d multiplies
+// the sum by at most 2 d / min(t_(i+d) - t_i), the minimum being taken over the functions of degree d - 1
+// that do not vanish on the domain.
 struct AxisSizes {
     double first = 0;
     double second = 0;
 };
 
+// The factor 2 d / min(t_(i+d) - t_i) of the step from degree d - 1 to degree d.
 double step_size(const KnotVector &axis, int d) noexcept {
     const std::span<const double> knots = axis.knots();
     const auto [lower, upper] = axis.domain();
@@ -38,10 +41,10 @@ AxisSizes axis_sizes(const KnotVector &axis) noexcept {
     return sizes;
 }
 
-// The largest length of a record's coordinates, and the range of the weights.
+// A bound of the Euclidean length of the coordinates of a record, and the range of the weights.
 struct NetSizes {
     double point = 0;
-    double heaviest = 0; // 0 when polynomial
+    double heaviest = 0; // 0 for a polynomial spline
     double lightest = 1;
 };
 
@@ -64,7 +67,9 @@ NetSizes net_sizes(const Spline &spline) {
     return sizes;
 }
 
-// Polynomial curves have pieces of the stored points. The pieces are exact to about 2^-100 of these points.
+// The sizes of the spline relative to O, the origin of the moved spline. The power spans of polynomial curves
+// are made from the stored points instead, exact to about 2^-100 of these points; the term 2^-48 |P| covers
+// this.
 NetSizes sizes_seen_from_o(const Spline &spline) {
     const Spline &moved = at_origin(spline);
     NetSizes sizes = net_sizes(moved);
@@ -88,7 +93,8 @@ DerivativeErrors errors_everywhere(const Spline &spline) {
     const AxisSizes v = surface ? axis_sizes(spline.axis(1)) : AxisSizes{};
     const double c =
         accuracy_factor(spline.axis(0).degree()) + (surface ? accuracy_factor(spline.axis(1).degree()) : 0.0);
-    // The quotient rule in magnitudes, E of the header's preamble.
+    // The quotient rule in magnitudes: E_a of the accuracy contract in nurbs.h, with all |w (P - O)| / w(t)
+    // bounded by m, and all w_i / w(t) by w.
     const double m = net.point / net.lightest;
     const double w = net.heaviest / net.lightest;
     const double e_u = u.first * m * (1 + w);
@@ -96,7 +102,7 @@ DerivativeErrors errors_everywhere(const Spline &spline) {
     const double e_uu = u.second * m * (1 + w) + 2 * u.first * w * e_u;
     const double e_uv = u.first * v.first * m * (1 + w) + w * (u.first * e_v + v.first * e_u);
     const double e_vv = v.second * m * (1 + w) + 2 * v.first * w * e_v;
-    // Twice the bound, for the rounding of the bounds themselves.
+    // Twice the bound of the contract, to cover the rounding of the bounds themselves.
     const double first = 4 * (c + 2) * eps;
     const double second = 4 * (c + 4) * eps;
     return {first * e_u, first * e_v, second * e_uu, second * e_uv, second * e_vv};
@@ -108,7 +114,7 @@ DerivativeErrors derivative_errors(const Spline &spline, const AxisRules &rules,
     if (extrapolates(rules)) {
         return unknown_errors;
     }
-    // A point's own bounds cost about as much as reading 64 control points.
+    // The bounds of a single point (Jet) cost about as much as reading 64 control points.
     constexpr auto slot = Spline::Cache::derivative_errors;
     if (spline.slot(slot).peek() == nullptr && !spline.pays(points, spline.point_count() / 64)) {
         return unknown_errors;

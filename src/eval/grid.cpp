@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Evaluation on grids: the tables and the working memory of the grid kernel, and grids in strips for sinks.
 #include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/evaluate.h"
@@ -14,6 +15,7 @@ namespace nrb::eval {
 
 namespace {
 
+// Appends a stretch, joined to the last one if the two are adjacent.
 void append(std::vector<Stretch> &stretches, Stretch next) {
     if (!stretches.empty() && stretches.back().offset + stretches.back().length == next.offset) {
         stretches.back().length += next.length;
@@ -22,10 +24,11 @@ void append(std::vector<Stretch> &stretches, Stretch next) {
     }
 }
 
-// Tables and working memory of one grid.
+// The tables and the working memory of one grid, or of one strip of a grid.
 class GridEvaluator {
 public:
-    // `tables`: those that are known from another part of the grid.
+    // `tables`: the tables of basis functions that another strip of the same grid has already made; null for
+    // the axes whose table has to be made.
     GridEvaluator(const Spline &spline, const AxisRules &rules, int order,
                   const std::array<ConstRecords, max_axes> &params, GridAxes tables = {})
         : spline_(spline), shape_(spline, order), net_(spline.records().data()),
@@ -47,9 +50,10 @@ public:
 
     void write(const Records &out) noexcept { write(out, 0, tables_[0]->size(), nullptr, 0, 0); }
 
-    // The part of parameters [begin, end) of axis 0. `sink`, if there is one, is called for every row of the
-    // last axis. The first point of that row is number sink_first of the whole grid, and the row has
-    // sink_stride points there; `out` then holds one row.
+    // Writes the grid points of parameters [begin, end) of axis 0. Without a sink, `out` is the whole grid.
+    // With a sink, `out` holds one row of the last axis, and the sink is called for every row of this strip.
+    // In the whole grid, the first row of the strip begins with point number sink_first, and consecutive rows
+    // begin sink_stride points apart.
     void write(const Records &out, int64_t begin, int64_t end, BlockSink *sink, int64_t sink_first,
                int64_t sink_stride) noexcept {
         run(GridJob{spline_,
@@ -98,7 +102,8 @@ private:
         return std::make_shared<const GridAxis>(std::move(table));
     }
 
-    // From the last axis to the first: each needed layer of an axis holds the stretches of the axes after it.
+    // Finds the stretches of each slab that some parameter needs, from the last axis to the first: each
+    // needed layer of an axis consists of the stretches of the axes after it.
     void find_stretches() {
         std::vector<Stretch> inner{{0, shape_.width}};
         int64_t length = shape_.width;
@@ -123,7 +128,7 @@ private:
             const int64_t size = checked_product(slot_count(axis + 1, shape_.order), slabs_.length[k],
                                                  "working memory of the grid");
             storage_[k].reset(
-                new double[static_cast<size_t>(size)]); // uninitialised: little of it may be used
+                new double[static_cast<size_t>(size)]); // uninitialised, because only small parts may be used
             slabs_.data[k] = storage_[k].get();
         }
         rows_ = scratch_.take_aligned(static_cast<size_t>(rows_size()));
@@ -170,8 +175,9 @@ private:
     double *rows_ = nullptr;
 };
 
-// A parameter of the last axis costs the tables of a grid as much as several points of a list, and a row of
-// few points costs as much as a whole vector.
+// Whether a grid is evaluated faster as a list of points. Entering a parameter of the last axis into the
+// tables of a grid costs as much as evaluating several points of a list, and a row of few points costs as
+// much as a whole vector.
 bool is_narrow(const Spline &spline, const std::array<ConstRecords, max_axes> &params) noexcept {
     constexpr int64_t fewest_rows = 16;
     constexpr int64_t fewest_columns = 4;
@@ -185,7 +191,7 @@ bool is_narrow(const Spline &spline, const std::array<ConstRecords, max_axes> &p
     return columns < fewest_columns || (rows < fewest_rows && columns > many_columns);
 }
 
-// A grid cut along the last axis, so that a row of a strip is a block for a sink.
+// A grid cut into strips along the last axis, so that a row of a strip is one block for a sink.
 class GridStrips {
 public:
     GridStrips(const Spline &spline, const AxisRules &rules, int order,
@@ -206,7 +212,7 @@ public:
 
     [[nodiscard]] int64_t count() const noexcept { return (last_.count + size_ - 1) / size_; }
 
-    // Rows of strip `i` for one parameter of axis 0, through memory for a block.
+    // Writes the rows of strip `i` for parameter `row` of axis 0. `rows` is memory for one block.
     void write(int64_t i, int64_t row, double *rows, BlockSink &sink) noexcept {
         const Records block{rows, length(i), width_, points_ ? width_ : 1, points_ ? 1 : size_};
         strips_[static_cast<size_t>(i)]->write(block, row, row + 1, &sink, i * size_, last_.count);
@@ -224,8 +230,8 @@ private:
     std::vector<std::unique_ptr<GridEvaluator>> strips_;
 };
 
-// Stands between the derivatives of a moved surface and their sink: replaces their points by the points of
-// the stored surface.
+// Passes blocks of derivatives of the moved surface on to their sink, with the points in them replaced by the
+// points of the stored surface.
 class PointSink final : public BlockSink {
 public:
     PointSink(const Spline &surface, const AxisRules &rules, const std::array<ConstRecords, max_axes> &params,
@@ -281,20 +287,20 @@ void evaluate_grid(const Spline &spline, const AxisRules &rules, int order,
         return evaluate_points(spline, rules, order, params[0], sink);
     }
     const Spline &source = derivative_source(spline, order);
-    // The rows of a volume are not identified by the rows of axis 0.
+    // PointSink finds a row by its parameter of axis 0, which does not identify the rows of a volume.
     if (is_narrow(spline, params) || (&source != &spline && spline.axes() > 2)) {
         return evaluate_combinations(spline, rules, order, params, sink);
     }
     const int64_t width = slot_count(spline.axes(), order) * spline.dim();
     const std::unique_ptr<double[]> rows(
         new double[static_cast<size_t>(checked_product(width, BlockSink::most_points, "points"))]);
-    // All tables first, so that nothing is written if memory runs out.
+    // All tables are made first, so that nothing is written if memory runs out.
     GridStrips strips(source, rules, order, params, sink);
     std::optional<PointSink> points;
     if (&source != &spline) {
         points.emplace(spline, rules, params, rows.get(), sink);
     }
-    // In the order of the caller's memory.
+    // Row by row, in the order of the caller's memory.
     for (int64_t row = 0; row < params[0].count; ++row) {
         for (int64_t i = 0; i < strips.count(); ++i) {
             strips.write(i, row, rows.get(), points ? *points : sink);

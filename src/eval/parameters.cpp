@@ -23,7 +23,8 @@ bool allowed(double t, const AxisRule &rule) noexcept {
                                           : std::isfinite(t) && rule.outside != Outside::refuse;
 }
 
-// Component k of every record; `format` makes a name from the index, counted from `first_index`, and k.
+// Checks component k of every record. `format` makes the name for a message from the index, counted from
+// `first_index`, and k.
 void check_column(const ConstRecords &params, int k, const AxisRule &rule, Interval domain,
                   int64_t first_index, const char *format) {
     for (int64_t i = 0; i < params.count; ++i) {
@@ -37,20 +38,23 @@ void check_column(const ConstRecords &params, int k, const AxisRule &rule, Inter
     }
 }
 
-// The remainder of fmod(), which is exact, by one multiplication where the quotient is not large.
+// A remainder of x modulo the period: congruent to fmod(x, period), exact like it, and smaller than the
+// period in magnitude. It takes one multiplication unless the quotient is large.
 double remainder_of(double x, double period) noexcept {
     const double quotient = std::trunc(x / period);
     if (!(std::abs(quotient) < most_periods)) {
         return std::fmod(x, period);
     }
     const double rest =
-        std::fma(-quotient, period, x); // exact, as is what is added, if it is of the other sign
+        std::fma(-quotient, period, x); // exact, and so is the correction if the sign is wrong
     const double signed_period = std::copysign(period, x);
     return rest * signed_period < 0   ? rest + signed_period
            : std::abs(rest) >= period ? rest - signed_period
                                       : rest;
 }
 
+// The parameter in the domain that differs from t by a multiple of the period; at the seam, the end of the
+// domain from which the rule evaluates.
 double wrap(double t, bool left, Interval domain) noexcept {
     const double period = domain.upper - domain.lower;
     double offset = remainder_of(t - domain.lower, period);
@@ -89,7 +93,7 @@ void check_parameter(double t, const AxisRule &rule, Interval domain, const char
 
 void check_parameters(const Spline::Axes &axes, const AxisRules &rules, const ConstRecords &params) {
     const auto count = static_cast<int>(axes.size());
-    constexpr int64_t few = 8; // are not worth a kernel
+    constexpr int64_t few = 8; // too few to be worth a call of the kernel
     const bool packed = params.stride == count && (params.component_stride == 1 || count == 1);
     if (packed && params.count > few && packed_inside(axes, params)) {
         return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The meaning of a caller's parameter: which side of a knot, and what happens outside the domain.
+// The rules by which a caller's parameter is interpreted: from which side it is evaluated at a knot, and what
+// happens outside the domain.
 #pragma once
 
 #include "base/records.h"
@@ -10,9 +11,12 @@
 
 namespace nrb::eval {
 
+// What to do with a parameter outside the domain: report an error, move it to the nearest end, continue the
+// outermost polynomial piece, or add a multiple of the length of the domain.
 enum class Outside { refuse, clamp, extrapolate, wrap };
 
-// The rule for one axis.
+// The rule for one axis. `left`: at a knot, take the piece to its left. `nan`: a parameter that would be an
+// error gives NaN instead.
 struct AxisRule {
     bool left = false;
     bool nan = false;
@@ -20,12 +24,12 @@ struct AxisRule {
 };
 using AxisRules = std::array<AxisRule, max_axes>;
 
-// Throws Status::parameter_not_finite or outside_domain if the rule does not allow t; `name` names it in the
-// message.
+// Throws Status::parameter_not_finite or Status::outside_domain if the rule does not allow t; `name` names
+// the parameter in the message.
 void check_parameter(double t, const AxisRule &rule, Interval domain, const char *name);
 
-// Checks every parameter of a batch or of one axis of a grid; messages name the array "params" and the index
-// from `first_index` on.
+// check_parameters() checks every parameter of a batch, check_axis_parameters() those of one axis of a grid.
+// Messages name the array "params" and an index, which for an axis is counted from `first_index`.
 void check_parameters(const Spline::Axes &axes, const AxisRules &rules, const ConstRecords &params);
 inline void check_parameters(const Spline &spline, const AxisRules &rules, const ConstRecords &params) {
     check_parameters(spline.knot_vectors(), rules, params);
@@ -33,17 +37,18 @@ inline void check_parameters(const Spline &spline, const AxisRules &rules, const
 void check_axis_parameters(const KnotVector &axis, const AxisRule &rule, ConstRecords params,
                            int64_t first_index);
 
-// Whether `count` parameters, packed with those of all axes in turn, lie in the closed domains; NaN lies in
-// none.
+// Whether `count` parameters lie in their closed domains. The parameters of the axes alternate, without gaps.
+// NaN lies in no domain.
 bool all_inside(const double *params, int64_t count, int axes, const Interval *domains) noexcept;
 
-// The largest quotient of a parameter and a period for which a remainder takes one multiplication: its rounded value is
-// off by at most 1.
+// Below this quotient of a parameter and the period, the rounded and truncated quotient is off by at most 1,
+// and the remainder takes one multiplication.
 inline constexpr double most_periods = 0x1p50;
 
-// The parameter to evaluate at for a parameter t that was checked, or NaN if the rule gives NaN. A wrapped
-// parameter is in [lower, upper), from the left in (lower, upper].
-double place_outside(double t, const AxisRule &rule, Interval domain) noexcept; // or at an end that wraps
+// The parameter at which to evaluate for a parameter t that was checked; NaN if the rule gives NaN. A wrapped
+// parameter lies in [lower, upper), or in (lower, upper] if it is evaluated from the left. place_outside()
+// handles all t outside the domain, and also its ends if the rule wraps.
+double place_outside(double t, const AxisRule &rule, Interval domain) noexcept;
 inline double place(double t, const AxisRule &rule, Interval domain) noexcept {
     return t >= domain.lower && t <= domain.upper && rule.outside != Outside::wrap
                ? t

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Evaluation of lists of parameters: the working memory of the kernels of curves and of surfaces and volumes.
 #include "base/checked.h"
 #include "eval/blocks.h"
 #include "eval/evaluate.h"
@@ -23,6 +24,7 @@ const QuotientRule *make_rule(std::optional<QuotientRule> &rule, const RecordSha
     return shape.rational ? &rule.emplace(shape.axes, shape.order, scratch) : nullptr;
 }
 
+// Evaluates a curve at lists of parameters, with working memory that is allocated once.
 class CurveEvaluator {
 public:
     CurveEvaluator(const Spline &curve, const AxisRule &rule, int order, int64_t uses)
@@ -45,7 +47,7 @@ public:
     void operator()(const ConstRecords &params, const Records &out) noexcept { run(job_, params, out); }
 
 private:
-    // Spans of low degree need records only if their weights are too far apart for power spans.
+    // The table of records, if it is needed: curves whose spans all have power spans do without it.
     static const double *net_after(const Spline &curve, int64_t uses) {
         return curve.has_power_spans(0) ? nullptr : curve.records_after(uses);
     }
@@ -72,13 +74,14 @@ private:
     CurveJob job_;
 };
 
-// Blocks of the size that suits the first-level cache.
+// The number of points in a block, such that its records fit the first-level cache.
 int64_t tensor_block(const RecordShape &shape, int64_t points) noexcept {
     constexpr int64_t most = 32;
     constexpr int64_t doubles = 1024;
     return std::clamp<int64_t>(doubles / shape.size(), 1, std::min(most, points));
 }
 
+// The same for a surface or a volume.
 class TensorEvaluator {
 public:
     TensorEvaluator(const Spline &spline, const AxisRules &rules, int order, int64_t uses)
@@ -158,8 +161,8 @@ private:
     AxisPoint points_[max_axes][axis_block_size];
 };
 
-// Points and derivatives, where the derivatives come from a moved spline: the points of the stored spline
-// replace those that come with them, so that a point is the same with derivatives and without.
+// Evaluates points and derivatives if the derivatives come from a moved spline. The points of the stored
+// spline replace those of the moved one, so that a point is the same with derivatives and without.
 template <class Evaluator>
 class MovedEvaluator {
 public:
@@ -168,7 +171,7 @@ public:
         : derivs_(moved, rule, order, uses), points_(spline, rule, 0, uses), dim_(spline.dim()) {}
 
     void operator()(const ConstRecords &params, const Records &out) noexcept {
-        constexpr int64_t part = 512; // stays in the caches between the two
+        constexpr int64_t part = 512; // few enough to stay in the caches between the two
         for (int64_t first = 0; first < params.count; first += part) {
             const int64_t count = std::min(part, params.count - first);
             const ConstRecords from{params.record(first), count, params.width, params.stride,
@@ -184,7 +187,7 @@ private:
     int dim_;
 };
 
-// Calls run(evaluator) with the evaluator of a spline.
+// Calls run(evaluator) with the evaluator of a spline, which takes derivatives from their source.
 template <class Evaluator, class Rule, class Run>
 void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t uses, Run &&run) {
     const Spline &source = derivative_source(spline, order);
@@ -195,7 +198,7 @@ void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t u
     }
 }
 
-// Separate from evaluate_points(), through which single points pass.
+// Not inlined into evaluate_points(), which should stay short for single points.
 [[gnu::noinline]] void evaluate_moved(const Spline &spline, const Spline &moved, const AxisRules &rules,
                                       int order, const ConstRecords &params, const Records &out) {
     if (spline.axes() == 1) {
@@ -205,7 +208,7 @@ void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t u
     }
 }
 
-// Parts of a list of parameters.
+// Blocks of a list of parameters.
 class ListBlocks {
 public:
     static constexpr int64_t most_points = BlockSink::most_points;
@@ -220,7 +223,7 @@ private:
     const ConstRecords &params_;
 };
 
-// Parts of the list of all combinations of the axes' parameters, last axis fastest.
+// Blocks of the list of all combinations of the axes' parameters, last axis fastest.
 class GridBlocks {
 public:
     static constexpr int64_t most_points = block_size;
@@ -233,7 +236,7 @@ public:
         }
         return product;
     }
-    // Valid until the next call.
+    // The result is valid until the next call.
     [[nodiscard]] ConstRecords operator()(int64_t first, int64_t count) noexcept {
         for (int64_t i = 0; i < count; ++i) {
             int64_t rest = first + i;
@@ -252,7 +255,7 @@ private:
     double block_[block_size * max_axes];
 };
 
-// Blocks of rows for a sink, one after the other through the same evaluator.
+// Evaluates block after block with one evaluator and hands each to the sink.
 template <class Evaluator, class Blocks>
 void evaluate_blocks(Evaluator &&evaluate, Blocks &&blocks, int64_t width, BlockSink &sink) {
     const bool points = sink.wants_points();

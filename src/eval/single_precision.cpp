@@ -8,7 +8,7 @@ namespace nrb::eval {
 
 namespace {
 
-// Points first, first + 1, ... from those of `values`.
+// Rounds the points in `values` to float and stores them as points first, first + 1, ...
 void round_points(ConstRecords values, int64_t first, FloatRecords points) noexcept {
     if (values.component_stride == 1 && values.stride == values.width && points.component_stride == 1 &&
         points.stride == values.width) {
@@ -26,6 +26,7 @@ void round_points(ConstRecords values, int64_t first, FloatRecords points) noexc
     }
 }
 
+// Rounds each block of points to the caller's array of floats.
 class FloatSink final : public BlockSink {
 public:
     explicit FloatSink(FloatRecords points) noexcept : points_(points) {}

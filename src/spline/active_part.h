@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What a spline is over one span of each axis.
+// A spline restricted to one span of each axis, without any computation.
 #pragma once
 
 #include "spline/spline.h"
 
 namespace nrb::inline spline {
 
-// The spline of the control points that are active on these spans and of the knots that their functions have
-// there: its domain is the spans.
+// The spline of the control points that are active on these spans, over the knots on which their functions
+// depend there. Its domain consists of these spans.
 SplinePtr active_part(const Spline &spline, const std::array<int64_t, max_axes> &spans);
 
 } // namespace nrb::inline spline

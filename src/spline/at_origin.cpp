@@ -24,7 +24,7 @@ public:
         }
     }
 
-    // If a box is near the origin, further points do not move it away.
+    // If a box is not far from the origin, it stays so when further points are added.
     [[nodiscard]] bool far() const noexcept {
         double distance = 0;
         double size = 0;
@@ -35,7 +35,8 @@ public:
         return distance > far_in_sizes * size;
     }
 
-    // The difference of two numbers of one sign is exact if neither is more than twice the other (Sterbenz).
+    // The point that becomes the origin. The difference of two numbers of the same sign is exact if neither
+    // is more than twice the other (Sterbenz), which is why other coordinates are left as they are.
     [[nodiscard]] std::vector<double> corner() const {
         std::vector<double> corner(lower_.size());
         for (size_t c = 0; c < corner.size(); ++c) {
@@ -54,7 +55,7 @@ private:
     std::vector<double> upper_;
 };
 
-// The corner to which a spline is moved; no value if the spline stays.
+// The corner that is to become the origin; empty if the spline stays where it is.
 std::vector<double> far_corner(const Spline &spline) {
     Box box(spline.dim());
     bool far = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A control net seen along one axis: (outer, count, inner), with the layers of the axis in the middle. A
-// layer is all control points with one index along the axis: a point of a curve, a row of a surface, a sheet
-// of a volume. Every operation along an axis works on this view, so that curves, surfaces and volumes share
-// one loop.
+// A control net seen along one axis, as an array [outer][count][inner] with the layers of the axis in the
+// middle. A layer is all control points with one index along the axis: a point of a curve, a row of a
+// surface, a sheet of a volume. Every operation along an axis works on this view, so that one loop serves
+// curves, surfaces and volumes.
 #pragma once
 
 #include "spline/spline.h"

@@ -30,7 +30,7 @@ void check_dimension(int dim) {
 
 namespace {
 
-// What single values are checked of.
+// The values to be checked one by one.
 struct GivenValues {
     Form form;
     size_t dim;
@@ -75,7 +75,7 @@ void check_weight(double weight, size_t i, Values values) {
     }
 }
 
-// Weights [0, end).
+// Checks weights 0, ..., end - 1, and their products with the points.
 void check_weight_values(const GivenValues &given, Values values, size_t end) {
     for (size_t i = 0; i < end; ++i) {
         const double weight = given.weights[i];
@@ -90,7 +90,7 @@ void check_weight_values(const GivenValues &given, Values values, size_t end) {
     }
 }
 
-// Enough for the tests of check_weight_values(), in passes without a branch.
+// A sufficient condition for check_weight_values() to accept all weights, without a branch for each of them.
 bool harmless_weights(const Spline &spline) noexcept {
     const auto [smallest, largest] = spline.all_weights();
     return all_finite(spline.weights()) && smallest >= 0 &&
@@ -103,23 +103,23 @@ void check_weight_values(const Spline &spline, Values values, size_t end) {
     }
 }
 
-// The place of the first negative weight; the number of weights if there is none.
+// The index of the first negative weight; the number of weights if there is none.
 size_t first_negative(const Spline &spline) noexcept {
     const std::span<const double> weights = spline.weights();
     const auto found = std::find_if(weights.begin(), weights.end(), [](double weight) { return weight < 0; });
     return static_cast<size_t>(found - weights.begin());
 }
 
-// A run of layers of control points along one axis, at least one of which must carry a weight, and where that
-// is.
+// A run of layers along one axis, at least one of which must have a weight other than 0, and the parameter at
+// which this is required.
 struct Window {
     int64_t first;
     int64_t last;
     double parameter;
 };
 
-// The windows for w(t) > 0 at both ends of every span: the functions that do not vanish there. They are among
-// the functions of the open span, so that the inside needs no windows of its own.
+// The windows that ensure w(t) > 0: for both ends of every span, the functions that do not vanish there.
+// These are among the functions of the open span, so the inside of a span needs no window of its own.
 std::vector<Window> support_windows(const KnotVector &axis) {
     const int p = axis.degree();
     const SpanTable &table = axis.spans();
@@ -140,7 +140,8 @@ std::vector<Window> support_windows(const KnotVector &axis) {
     return windows;
 }
 
-// Homogeneous weights may have any sign, so that only a support without any weight can be excluded.
+// The windows for homogeneous weights, one for each span. Since they may have any sign, only spans all of
+// whose weights are 0 can be excluded.
 std::vector<Window> span_windows(const KnotVector &axis) {
     std::vector<Window> windows;
     for (const int64_t s : axis.spans().indices()) {
@@ -149,7 +150,7 @@ std::vector<Window> span_windows(const KnotVector &axis) {
     return windows;
 }
 
-// Replaces the layers of an axis by its windows: a window carries a weight if any of its layers does.
+// Replaces the layers of an axis by its windows. A window carries a weight if any of its layers does.
 std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView &view,
                                const std::vector<Window> &windows) {
     const auto layers = static_cast<int64_t>(windows.size());
@@ -168,13 +169,14 @@ std::vector<char> merge_layers(const std::vector<char> &carried, const AxisView 
     return merged;
 }
 
-// The windows of each axis, and which of their combinations carry a weight, the last axis fastest.
+// The windows of each axis, and for each combination of them whether it carries a weight, the last axis
+// fastest.
 struct Supports {
     std::vector<std::vector<Window>> windows;
     std::vector<char> carried;
 };
 
-// Nothing if all weights are positive.
+// Both are empty if all weights are positive.
 Supports weight_supports(const Spline &spline) {
     Supports supports;
     if (spline.all_weights().smallest > 0) {
@@ -199,7 +201,7 @@ Supports weight_supports(const Spline &spline) {
     return supports;
 }
 
-// The first combination of windows without a weight; -1: none.
+// The index of the first combination of windows without a weight; -1 if there is none.
 int64_t first_hole(const Supports &supports) noexcept {
     const auto hole = std::find(supports.carried.begin(), supports.carried.end(), 0);
     return hole == supports.carried.end() ? -1 : hole - supports.carried.begin();
@@ -234,7 +236,7 @@ bool same_bits(double a, double b) noexcept {
     return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b);
 }
 
-// `width` values stand for one control point.
+// Checks that wrapped layers repeat the first ones bit for bit. Each control point has `width` values.
 void check_wrapping(const Spline &spline, int k, std::span<const double> values, int width,
                     const char *name) {
     const AxisView view = axis_view(spline, k, width);
@@ -316,8 +318,8 @@ SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double>
     return make_checked(std::move(axes), dim, form, std::move(points), std::move(weights), Values::computed);
 }
 
-// As check_spline(), in the same order, so that what overflows before the first negative weight is a failure
-// here too.
+// Makes the checks of check_spline() in the same order, so that an overflow before the first negative weight
+// is an error here too.
 SplinePtr make_result_if_valid(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                                std::vector<double> weights) {
     SplinePtr spline = make_sized(std::move(axes), dim, form, std::move(points), std::move(weights));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control points that do not act on any parameter of the domain.
+// Spline::effective(): control points without influence on the domain replaced by others.
 #include "base/numbers.h"
 #include "spline/spline.h"
 
@@ -10,7 +10,7 @@ namespace nrb::inline spline {
 
 namespace {
 
-// The control points whose functions do not vanish on the domain.
+// The block of control points whose functions do not vanish on the domain.
 class ActiveBlock {
 public:
     explicit ActiveBlock(const Spline &spline) noexcept : axes_(spline.axes()) {
@@ -20,7 +20,7 @@ public:
         }
     }
 
-    // The active control point nearest to control point i in the net.
+    // The control point of the block nearest to control point i in the net.
     [[nodiscard]] int64_t nearest(int64_t i) const noexcept {
         int64_t result = 0, stride = 1;
         for (auto k = static_cast<size_t>(axes_); k-- > 0; i /= counts_[k], stride *= counts_[k]) {
@@ -29,7 +29,7 @@ public:
         return result;
     }
 
-    // Visits (first control point, how many) of the rows along the last axis.
+    // Calls visit(first control point, count) for the rows of the block along the last axis.
     template <class Visit>
     void for_each_row(Visit &&visit) const {
         const auto last = static_cast<size_t>(axes_ - 1);
@@ -67,9 +67,9 @@ const Spline &Spline::effective() const {
     return inert_ ? *effective_.get([this] { return without_inert_points(); }) : *this;
 }
 
-// Outside the active block a control point is replaced by the nearest one inside. A control point of weight 0
-// keeps the weight and gets the place of the first one that has another weight. So copies of layers of a
-// periodic axis stay copies.
+// A control point outside the active block is replaced by the nearest one inside. In Form::rational, a
+// control point of weight 0 keeps its weight and gets the position of the first one whose weight is not 0.
+// Both rules treat all copies of a layer of a periodic axis alike, so these stay copies.
 SplinePtr Spline::without_inert_points() const {
     const ActiveBlock block(*this);
     const auto weightless = [&](int64_t i) { return form_ == Form::rational && weight(i) == 0; };

@@ -14,7 +14,7 @@ namespace nrb::inline spline {
 
 namespace {
 
-// An array of records and its view along the axis.
+// An array of records, and its view along an axis.
 struct Layers {
     const double *data;
     AxisView view;
@@ -36,7 +36,7 @@ inline void combine(const LayerTable &table, const LayerTable::Row &row, const L
     }
 }
 
-// Room for the layers of a new spline, and its padding.
+// Space for the layers of a new spline, followed by padding.
 std::vector<double> new_layers(const AxisView &view, int64_t layers) {
     const int64_t size = checked_product(view.outer * view.inner, layers, "points");
     constexpr auto padding = static_cast<int64_t>(Spline::padding);
@@ -45,14 +45,14 @@ std::vector<double> new_layers(const AxisView &view, int64_t layers) {
     return room;
 }
 
-// The same without the padding, once the layers are made.
+// The finished layers, checked and without the padding.
 std::vector<double> finished(std::vector<double> layers) {
     layers.resize(layers.size() - Spline::padding);
     require_representable(layers, "control points");
     return layers;
 }
 
-// Calls combine(rows, number of the first) for parts of a table, between which the watch is looked at.
+// Calls combine(rows, index of the first) for parts of a table, and counts their work.
 template <class Combine>
 void for_parts(const LayerTable &table, int64_t inner, Combine &&combine) {
     constexpr size_t part = size_t{1} << 16;
@@ -64,7 +64,7 @@ void for_parts(const LayerTable &table, int64_t inner, Combine &&combine) {
     }
 }
 
-// Writes the layers of a table; `total` layers belong to each outer index.
+// Computes the layers of a table for every outer index, where the result has `total` layers.
 void combine_all(const LayerTable &table, const Layers &layers, int64_t total, double *out) {
     const int64_t inner = layers.view.inner;
     for (int64_t o = 0; o < layers.view.outer; ++o, out += total * inner) {
@@ -81,7 +81,7 @@ void combine_all(const LayerTable &table, const Layers &layers, int64_t total, d
     }
 }
 
-// Whether every homogeneous sum of a layer has a weight other than 0.
+// Whether all `count` homogeneous sums have a weight other than 0.
 bool weighted(const double *sums, int64_t count, int dim) noexcept {
     bool all = true;
     for (int64_t i = 0; i < count; ++i) {
@@ -90,7 +90,7 @@ bool weighted(const double *sums, int64_t count, int dim) noexcept {
     return all;
 }
 
-// The quotients of one layer of homogeneous sums, where their weight allows.
+// Divides homogeneous sums by their weights. Where the weight is 0, `points` stays as it is.
 void project(const double *sums, int64_t count, int dim, double *points) noexcept {
     for (int64_t i = 0; i < count; ++i, sums += dim + 1, points += dim) {
         const double weight = sums[dim] != 0 ? sums[dim] : 1;
@@ -157,7 +157,7 @@ private:
     Layers points_;
     Layers weights_;
     Layers records_;
-    bool unscaled_; // records hold the weights themselves
+    bool unscaled_; // records contain the stored weights
     std::vector<double> sums_;
 };
 

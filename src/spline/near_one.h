@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Splines brought near 1 in size, and back, for methods whose squares would overflow or vanish.
+// Scaling of splines by powers of two to sizes near 1, and back, for methods whose squares would overflow or
+// underflow.
 #pragma once
 
 #include "spline/scaled.h"
@@ -8,18 +9,19 @@
 
 namespace nrb::inline spline {
 
-// The powers of two that bring the coordinates, the weights, and the shortest of the axes of at least a
-// degree, near 1; all axes by one power. No value if they are not far from 1. Only the control points at
-// `places` count.
+// The exponents that bring near 1: the coordinates, the weights, and the shortest of the domains of axes of
+// at least this degree; all axes get the same exponent. An exponent is 0 if the size is within 2^64 of 1
+// already. Only the control points at `places` count.
 Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places);
-Powers powers_near_one(const Spline &spline, int degree); // all that have influence
+Powers powers_near_one(const Spline &spline, int degree); // all control points with influence
 
-// The spline multiplied by these powers. A value that overflows has no influence on the result that is
-// wanted; it becomes 0.
+// The spline scaled by these powers. Coordinates that overflow are replaced by 0; they must have no influence
+// on the result that is wanted.
 SplinePtr near_one(const Spline &spline, const Powers &powers);
 
-// A result for the spline that near_one() returned, brought back. Coordinates that it has not changed are
-// those of the given spline; the others are divided by the powers. Throws Status::not_representable.
+// Scales back `result`, which was computed from near = near_one(given, powers). Coordinates that equal those
+// of `near` are taken from the given spline, others are divided by the powers. Throws
+// Status::not_representable.
 SplinePtr scaled_back(const Spline &result, const Spline &near, const Spline &given, const Powers &powers);
 
 } // namespace nrb::inline spline

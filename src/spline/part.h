@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes of parameters.
+// Parts of domains: boxes in the parameter space.
 #pragma once
 
 #include "spline/spline.h"
@@ -9,7 +9,7 @@
 
 namespace nrb::inline spline {
 
-// An interval for each axis; those of axes that a spline lacks are not read.
+// An interval for each axis. Those of axes that the spline lacks are not read.
 using Part = std::array<Interval, max_axes>;
 
 inline Part whole_domain(const Spline &spline) noexcept {
@@ -20,7 +20,7 @@ inline Part whole_domain(const Spline &spline) noexcept {
     return part;
 }
 
-// The parameter at a place between 0 and 1 of an interval; the ends bit for bit.
+// The parameter at a relative position between 0 and 1 in an interval; 0 and 1 give its ends, bit for bit.
 inline double parameter_in(Interval range, double place) noexcept {
     return std::clamp(range.lower * (1 - place) + range.upper * place, range.lower, range.upper);
 }

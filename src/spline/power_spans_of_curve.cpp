@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which spans have power spans, and the power spans of a curve.
+// The power spans and Bernstein spans of a curve, and which spans have them.
 #include "base/finite.h"
 #include "base/numbers.h"
 #include "base/watch.h"
@@ -13,7 +13,7 @@ namespace nrb::inline spline {
 
 namespace {
 
-constexpr int64_t work_of_a_lerp = 40; // in twice the precision
+constexpr int64_t work_of_a_lerp = 40; // in double-double arithmetic
 
 } // namespace
 
@@ -47,14 +47,14 @@ bool Spline::has_power_span(int64_t span) const noexcept {
            (moderate_.load(std::memory_order_relaxed) || moderate_window(span));
 }
 
-// True of every window if moderate() is true of the whole curve: a span is evaluated the same way whether
-// that is known or not.
+// moderate() of the whole curve implies this for every window. So the choice of method for a span does not
+// depend on whether moderate() has been evaluated.
 bool Spline::moderate_window(int64_t span) const noexcept {
     return window_below(span, moderate_limit, moderate_product);
 }
 
-// Whether the points of a window, and their products with the weights, are below limits. Those of weight 0 have no
-// influence.
+// Whether the coordinates of a window's points, and their products with the weights, are below the limits.
+// Points of weight 0 have no influence and are ignored.
 bool Spline::window_below(int64_t span, double points, double products) const noexcept {
     bool below = true;
     for (int64_t i = span - axis(0).degree(); i <= span; ++i) {
@@ -67,7 +67,7 @@ bool Spline::window_below(int64_t span, double points, double products) const no
     return below;
 }
 
-// The points of a span with the weights that they are to be multiplied by: [degree + 1][lanes].
+// Copies the points of a span, [degree + 1][lanes], and the weights that they are to be multiplied by.
 void Spline::copy_window(int64_t span, int lanes, double *weights, double *points) const noexcept {
     const int degree = axis(0).degree();
     for (int j = 0; j <= degree; ++j) {
@@ -82,7 +82,7 @@ void Spline::copy_window(int64_t span, int lanes, double *weights, double *point
     }
 }
 
-// From the basis of a span, whose points are copied to `points`: [degree + 1][lanes].
+// The power span of the curve from that of the basis functions. points: working memory, [degree + 1][lanes].
 void Spline::combine(int64_t span, const double *basis, const double *rests, double *points,
                      double *power_span) const noexcept {
     const int degree = axis(0).degree();
@@ -132,7 +132,7 @@ void Spline::curve_bernstein_span(int64_t span, double *points, double *bernstei
 }
 
 void Spline::fill_power_spans(PowerSpans &power_spans, std::vector<double> &points) const {
-    static_cast<void>(moderate()); // which makes it unnecessary to look at every window
+    static_cast<void>(moderate()); // then no window has to be examined
     const SpanTable &spans = axis(0).spans();
     const int degree = axis(0).degree();
     if (degree <= max_blossom_degree) {
@@ -187,7 +187,7 @@ PowerSpans Spline::curve_power_spans() const {
     return power_spans;
 }
 
-// The largest table of a high degree. Most take much less.
+// The largest table, in doubles, for a degree too high for power spans. Most are much smaller.
 constexpr int64_t most_doubles = int64_t{1} << 24;
 
 const PowerSpans *Spline::power_spans_after(int64_t uses) const {

@@ -11,7 +11,7 @@ namespace nrb::inline spline {
 
 namespace {
 
-constexpr int64_t work_of_a_value = 8; // in which a power of two is multiplied
+constexpr int64_t work_of_a_value = 8; // scaling by a power of two
 
 KnotVectorPtr multiplied(const KnotVectorPtr &axis, int exponent) {
     if (exponent == 0) {

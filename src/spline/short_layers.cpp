@@ -61,7 +61,7 @@ struct Sum {
     }
 };
 
-// What is written after a row is overwritten by the next one.
+// Stores whole vectors: what is written beyond the end of a row is overwritten by the next one.
 void combine_plain(const LayerRows &rows, const double *layers, int width, double *HWY_RESTRICT out) {
     const double *coefficients = rows.coefficients;
     for (const LayerTable::Row &row : rows.rows) {
@@ -81,7 +81,7 @@ bool combine_rational(const LayerRows &rows, const ShortNet &net, double *HWY_RE
     const ShortNet from = net; // kept in registers, as are the coefficients
     const double *coefficients = rows.coefficients;
     const LayerTable::Row *last = nullptr;
-    auto least = hn::Set(Lanes(), 1.0); // of the magnitudes of sums, up to 1
+    auto least = hn::Set(Lanes(), 1.0); // least |component| of the sums, at most 1
     for (const LayerTable::Row &row : rows.rows) {
         if (row.size == 0) {
             std::copy_n(from.points + row.first * kDim, kDim, points);

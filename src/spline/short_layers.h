@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Layers of one short record each, along the only axis of a curve or the last axis of a surface or volume, in
-// vectors of four. Most splines have such layers.
+// Layers of a single short record, computed in vectors of four doubles. They occur along the axis of a curve
+// and along the last axis of a surface or volume, if records have at most four components, as in most
+// splines.
 #pragma once
 
 #include "spline/layer_table.h"
@@ -9,19 +10,19 @@ namespace nrb::inline spline {
 
 inline constexpr int64_t longest_short_layer = 4;
 
-// Rows of a table, and all of its coefficients.
+// Some rows of a table, and all of its coefficients.
 struct LayerRows {
     std::span<const LayerTable::Row> rows;
     const double *coefficients;
 };
 
-// New layers from old ones of `width` doubles, at most longest_short_layer, with the bits of contract().
+// Computes layers of `width` <= longest_short_layer doubles each, with the same bits as contract().
 // Spline::padding doubles are read after the layers and written after the result.
 void combine_short(const LayerRows &rows, const double *layers, int width, double *out) noexcept;
 
-// The Cartesian points, and the weights, of new layers of one record (w x, w y, ..., w) each, for dimensions
-// up to 3; copied layers are copied from `points` and `weights`. False if a sum has no weight: the result
-// must then not be used. Padding as above, of `records` and `points`.
+// Computes the Cartesian points and the weights of layers of one record (w x, w y, ..., w) each, in
+// dimensions up to 3. Copied layers are taken from `points` and `weights`. Returns false if the weight of a
+// sum is 0; the result must not be used then. Padding as above, for `records` and `points`.
 struct ShortNet {
     const double *records;
     const double *points;

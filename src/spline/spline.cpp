@@ -13,9 +13,10 @@ namespace nrb::inline spline {
 
 namespace {
 
-// A common factor of the weights cancels. If all weights are so small or so large that their products would
-// leave double precision, a power of two brings them near 1, which is exact. `all` includes the weights of
-// control points without influence: they are no reason to scale, but they must not overflow.
+// The exponent of the power of two by which the weights are divided in the records. A common factor of the
+// weights cancels. If the largest weight with influence (`active`) is outside 2^-256 to 2^256, a power of two
+// brings it near 1; this is exact unless much smaller weights underflow. `all` is the largest of all weights,
+// including those of control points without influence. These are no reason to scale, but must not overflow.
 int common_exponent(double active, double all) noexcept {
     constexpr int harmless = 256;
     const int exponent = active > 0 ? std::ilogb(active) : 0;
@@ -25,13 +26,13 @@ int common_exponent(double active, double all) noexcept {
     return exponent > 0 ? exponent : std::min(std::ilogb(all), 0);
 }
 
-// Whether products of weights with moderate points are moderate, given the largest of both.
+// Whether the products of weights with moderate points are moderate, too, given the largest weight.
 bool moderate_products(double weight, std::span<const double> points) noexcept {
     constexpr double usual = moderate_product / moderate_limit;
     return weight <= usual || weight * largest_magnitude(points) < moderate_product;
 }
 
-// Appends room that may be read, and no more than that.
+// Appends the padding, without more capacity than that.
 void pad(std::vector<double> &points) {
     if (points.capacity() < points.size() + Spline::padding) {
         points = copied_watched<double>(points, Spline::padding);
@@ -39,7 +40,7 @@ void pad(std::vector<double> &points) {
     points.resize(points.size() + Spline::padding);
 }
 
-// Whether all layers of an axis are active.
+// Whether all layers of an axis are active, as those of a periodic axis always are.
 bool all_active(const KnotVector &axis) noexcept {
     const auto [lower, upper] = axis.domain();
     return (axis[axis.degree() + 1] > lower && axis[axis.count() - 1] < upper) || axis.periodic();
@@ -104,7 +105,7 @@ std::span<const double> Spline::records() const {
 
 const double *Spline::records_after(int64_t uses) const {
     const bool ready = form_ != Form::rational || records_.peek() != nullptr;
-    // An evaluation without the table makes the records of its own window.
+    // Without the table, an evaluation computes the records of its own window.
     return ready || uses_.pay(uses, std::ssize(weights_) / 8) ? records().data() : nullptr;
 }
 

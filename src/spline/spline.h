@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The spline: an immutable tensor-product value of 1 to 3 axes.
+// The spline: an immutable tensor product of 1 to 3 parametric axes.
 #pragma once
 
 #include "base/error.h"
@@ -17,10 +17,10 @@
 
 namespace nrb::inline spline {
 
-// How the control points are stored. They are kept as the caller gave them.
+// The form in which control points are stored, which is the one in which they were given.
 enum class Form {
     polynomial,  // points of dim coordinates
-    rational,    // points of dim coordinates, and weights apart
+    rational,    // points of dim coordinates, and separate weights
     homogeneous, // records of dim + 1: (w x, w y, ..., w)
 };
 
@@ -32,9 +32,9 @@ public:
     using Axes = std::vector<KnotVectorPtr>;
     static constexpr size_t padding = 3; // doubles after the points and records
 
-    // Preconditions: sizes agree (points: product of counts times record width; weights: product of counts
-    // for Form::rational, else empty) and the values satisfy check_spline(): use make_spline() for data from
-    // outside.
+    // Preconditions: the sizes agree (points: product of counts times stored width; weights: product of
+    // counts for Form::rational, else empty), and check_spline() accepts the values. Use make_spline() for
+    // data from outside.
     Spline(Axes axes, int dim, Form form, std::vector<double> points, std::vector<double> weights);
 
     [[nodiscard]] int axes() const noexcept { return axis_count_; }
@@ -46,27 +46,27 @@ public:
     [[nodiscard]] Form form() const noexcept { return form_; }
     [[nodiscard]] bool rational() const noexcept { return form_ != Form::polynomial; }
 
-    // The stored values. Width of a stored point record: dim, or dim + 1 when homogeneous.
+    // The stored values. A stored record has dim values, or dim + 1 in Form::homogeneous.
     [[nodiscard]] std::span<const double> points() const noexcept {
         return std::span(points_).first(points_.size() - padding);
     }
     [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
     [[nodiscard]] int stored_width() const noexcept { return form_ == Form::homogeneous ? dim_ + 1 : dim_; }
 
-    // The records that kernels contract: (w x, w y, ..., w) if rational, (x, y, ...) if not. For
-    // Form::rational they are a derived table, built at first use, in which all weights may be scaled by one
-    // power of two. `padding` doubles after them may be read, so that vectors of four can begin at any
-    // record.
+    // The records that kernels combine: (w x, w y, ..., w) if rational, (x, y, ...) if not. For
+    // Form::rational they are a derived table, made at first use, in which all weights may be scaled by one
+    // power of two. The `padding` doubles after them may be read, so that a vector of four doubles can be
+    // loaded from any record on.
     [[nodiscard]] std::span<const double> records() const;
-    // The power of two by which the weights are divided in the records.
+    // The exponent of the power of two by which the weights are divided in the records.
     [[nodiscard]] int records_exponent() const noexcept { return weight_exponent_; }
     [[nodiscard]] int width() const noexcept { return rational() ? dim_ + 1 : dim_; }
 
-    // Components [first, first + size) of record i, without the table.
+    // Writes components first, ..., first + size - 1 of record i, without using the table.
     void record_part(int64_t i, int first, int size, double *out) const noexcept;
-    // `count` records from `first` on, without the table.
+    // Writes `count` records from `first` on, without using the table.
     void copy_records(int64_t first, int64_t count, double *out) const noexcept;
-    // The table if it exists, or if `uses` more evaluations make it worth having; else null.
+    // The table if it exists, or if `uses` further evaluations make it worth building; else null.
     [[nodiscard]] const double *records_after(int64_t uses) const;
 
     [[nodiscard]] double weight(int64_t i) const noexcept {
@@ -77,49 +77,52 @@ public:
         double largest = 1;
     };
     [[nodiscard]] WeightRange all_weights() const noexcept { return all_weights_; }
-    // Whether all stored values are finite and so far from overflow that differences of records are, too.
+    // Whether all stored values are finite, and small enough that differences of records do not overflow.
     [[nodiscard]] bool moderate() const noexcept;
-    // Coordinate c of Cartesian control point i; homogeneous points are divided by their weight.
+    // Coordinate c of Cartesian control point i. A homogeneous point is divided by its weight.
     [[nodiscard]] double coordinate(int64_t i, int c) const noexcept {
         const double stored = points_[static_cast<size_t>(i * stored_width() + c)];
         return form_ == Form::homogeneous ? stored / weight(i) : stored;
     }
 
-    // The same shape, in which control points without influence are moved onto others that have some. They
-    // are those whose function vanishes on the domain, and those of weight 0 that are not at infinity. Every
-    // function that takes a scale, a hull or a bound of rounding from control points takes it from this
-    // spline. It is kept with the stored spline, and usually is the stored spline itself.
+    // The same shape, in which control points without influence have been moved to others that have
+    // influence. A control point has no influence if its function vanishes on the domain, or if its weight is
+    // 0 and it is not at infinity. Every function that derives a scale, a hull or a bound of rounding errors
+    // from control points uses this spline. It is kept with the stored spline, and usually is the stored
+    // spline itself.
     [[nodiscard]] const Spline &effective() const;
 
-    // Whether span `span` of a curve, or every span of an axis of any spline, is evaluated from polynomial
-    // power spans. The degree has to be at most max_power_span_degree. The weights (of an axis: the weights
-    // that have influence) have to be positive with a ratio of at most 4, so that rounding relative to the
-    // largest weight is harmless. For a curve, no difference of its records may overflow. Other spans use the
-    // recurrences, whose basis functions are accurate relative to themselves.
+    // Whether span `span` of a curve, or every span of axis k of any spline, is evaluated from a power span.
+    // The degree must be from 1 to max_power_span_degree. The weights (for an axis: those that have
+    // influence) must be positive with a ratio of at most 4, so that rounding relative to the largest weight
+    // is harmless. For a span of a curve, moreover, KnotVector::has_power_span() must hold, and differences
+    // of its records must not overflow. Other spans are evaluated from Bernstein spans (curves) or by the
+    // recurrences, whose basis functions have small relative errors.
     [[nodiscard]] bool has_power_span(int64_t span) const noexcept;
     [[nodiscard]] bool has_power_spans(int k) const noexcept {
         return even_weights_ && power_span_degree(axis(k).degree());
     }
 
-    // The power spans of a curve, if they exist or if `uses` more evaluations make them worth having; else
-    // null. Component c < width() of a power span is that of the records. A span without a power span has NaN
-    // bounds; it has a Bernstein span if has_bernstein_span().
+    // The power spans of a curve, if they exist or if `uses` further evaluations make them worth building;
+    // else null. Component c < width() of a power span is that of the records. The bounds of a span without a
+    // power span are NaN; it has a Bernstein span if has_bernstein_span() says so.
     [[nodiscard]] const PowerSpans *power_spans_after(int64_t uses) const;
-    // The power span of one span without the table, with the same bits; points: [degree + 1][lanes], working
-    // memory. Precondition: has_power_span(span).
+    // Computes a single power span without the table, with the same bits. points: working memory, [degree +
+    // 1][lanes]. Precondition: has_power_span(span).
     void curve_power_span(int64_t span, double *points, double *power_span) const noexcept;
-    // Whether a span of a curve that has no power span has a Bernstein span: no weight may be negative, and
-    // products may not overflow.
+    // Whether a span of a curve that has no power span has a Bernstein span. No weight may be negative, and
+    // neither products of control points nor inverse lengths of supports may overflow.
     [[nodiscard]] bool has_bernstein_span(int64_t span) const noexcept;
-    // The same for a Bernstein span.
+    // The same as curve_power_span() for a Bernstein span. Precondition: has_bernstein_span(span).
     void curve_bernstein_span(int64_t span, double *points, double *bernstein_span) const noexcept;
-    // Components of the spans of a curve, rounded up: of records for power spans, of records with a weight for
-    // Bernstein spans, which all spans are of degrees too high for power spans.
+    // The number of components for spans of a curve, rounded up to whole vectors: those of records for power
+    // spans, those of records with a weight for Bernstein spans, the only ones at degrees too high for power
+    // spans.
     [[nodiscard]] int span_lanes() const noexcept {
         return PowerSpan::lanes(power_span_degree(axis(0).degree()) ? width() : dim_ + 1);
     }
 
-    // What other rooms keep with a spline. Only those rooms know the types; each thing is made at first use.
+    // What other rooms keep with a spline. Only they know the types. Each item is made at first use.
     enum class Cache {
         single_frame,
         single,
@@ -137,9 +140,10 @@ public:
     [[nodiscard]] const Lazy<AnyCache> &slot(Cache cache) const noexcept {
         return slots_[static_cast<size_t>(cache)];
     }
-    // Whether such a thing is worth its cost, in evaluations, after `uses` more of them.
+    // Whether such an item, which costs as much as `cost` evaluations, is worth making after `uses` further
+    // ones.
     [[nodiscard]] bool pays(int64_t uses, int64_t cost) const noexcept { return uses_.pay(uses, cost); }
-    // What make() returns a std::shared_ptr of, for a slot that is never empty.
+    // The item in a slot that is never empty once filled; make() returns it as a std::shared_ptr.
     template <class T, class Make>
     [[nodiscard]] const T &kept(Cache cache, Make &&make) const {
         const AnyCache &found = slot(cache).get([&] { return AnyCache(std::shared_ptr<const T>(make())); });
@@ -175,40 +179,43 @@ private:
     std::vector<double> weights_;
     int weight_exponent_ = 0;
     WeightRange all_weights_;
-    bool even_weights_ = true; // of the control points that have influence
+    bool even_weights_ = true; // for control points with influence
     bool inert_ = false;       // some control points have no influence
     Lazy<std::vector<double>> records_;
     Lazy<PowerSpans> power_spans_;
     Lazy<SplinePtr> effective_;
     std::array<Lazy<AnyCache>, static_cast<size_t>(Cache::count)> slots_;
     Uses uses_;
-    mutable std::atomic<bool> moderate_{false}; // known to be
+    mutable std::atomic<bool> moderate_{false}; // known to be true
 };
 
-// 1 <= axes <= max_axes, else Status::axes.
+// Throws Status::axes unless 1 <= axes <= max_axes.
 void check_axes(int axes);
-// 1 <= dim, and a homogeneous record still has a width; else Status::dimension.
+// Throws Status::dimension unless dim >= 1 and dim + 1, the width of a homogeneous record, fits an int32_t.
 void check_dimension(int dim);
 
-// Points and weights that are not finite are either a mistake of the caller, with statuses of their own, or
-// overflow of computed values: Status::not_representable.
+// Where values come from: those given by a caller have statuses of their own if they are not finite, computed
+// ones have overflowed (Status::not_representable).
 enum class Values { given, computed };
 
-// Checks finiteness, weights (w(t) > 0 on the closed domain, or some w_i != 0 in every support when
-// homogeneous) and the wrapping of periodic axes; throws Error naming the array, the index and the value.
+// Checks that all values are finite; that w(t) > 0 on the closed domain, or, for homogeneous weights, that
+// some weight is not 0 in the support of every span; and that periodic axes wrap around. Throws Error naming
+// the array, the index and the value.
 void check_spline(const Spline &spline, Values values);
 
-// What of this concerns single values, of Cartesian points and their weights, if any: before they become those of a spline,
-// in whose order others would be named.
+// The part of these checks that concerns single values, for Cartesian points and their weights, if any. It is
+// for values that are rearranged before they become those of a spline, so that messages name the caller's
+// indices.
 void check_values(int dim, std::span<const double> points, std::span<const double> weights);
 
-// A checked spline from validated axes and packed data; throws Status::size when sizes disagree.
+// A checked spline from validated axes and packed data. Throws Status::size if sizes disagree, and what
+// check_spline() throws.
 SplinePtr make_spline(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
-// The same for computed data.
+// The same for computed values.
 SplinePtr make_result(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                       std::vector<double> weights = {});
-// Null where make_result() would throw Status::weight_negative or weights_vanish.
+// The same, but null where make_result() would throw Status::weight_negative or weights_vanish.
 SplinePtr make_result_if_valid(Spline::Axes axes, int dim, Form form, std::vector<double> points,
                                std::vector<double> weights = {});
 

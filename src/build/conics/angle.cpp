@@ -11,12 +11,12 @@ namespace nrb::build {
 
 namespace {
 
-// pi / 12 in three parts: the first two have at most 29 bits, so that their products with a number of steps
-// below 2^24 are exact.
+// pi / 12 as a sum of three doubles. The first two have at most 29 bits, so their products with a number of
+// steps below 2^24 are exact.
 constexpr double step = 0x1.0c152382d7366p-2; // pi / 12, rounded
 constexpr double step_high = 0x1.0c15238p-2;
 constexpr double step_low = step - step_high;
-constexpr double step_rest = -0x1.ee6913347c2a6p-56; // of pi / 12, beyond its double
+constexpr double step_rest = -0x1.ee6913347c2a6p-56; // pi / 12 - step
 
 constexpr double largest_angle = 0x1p22; // less than 2^24 steps
 
@@ -39,13 +39,13 @@ Direction turned(Direction d, int64_t quarters) noexcept {
     }
 }
 
-// The nearest multiple of 6, halves upwards, by its quarter.
+// The quarter turn (6 steps) nearest to a number of steps; halves are rounded up.
 int64_t nearest_quarter(int64_t steps) noexcept {
     const int64_t shifted = steps + 3;
     return shifted >= 0 ? shifted / 6 : -((5 - shifted) / 6);
 }
 
-// The direction of -2, ..., 3 steps.
+// The direction of -3, ..., 2 steps.
 Direction exact_direction(int64_t steps) noexcept {
     const Direction d = first_steps[static_cast<size_t>(steps < 0 ? -steps : steps)];
     return steps < 0 ? Direction{d.cos, -d.sin} : d;
@@ -67,7 +67,7 @@ Angle Angle::from_radians(double radians) noexcept {
 Angle Angle::plus(const Angle &other, int64_t numerator, int64_t denominator) const noexcept {
     const int64_t product = other.steps_ * numerator;
     const int64_t whole = product / denominator;
-    if (whole * denominator == product && other.rest_ == 0) { // full steps
+    if (whole * denominator == product && other.rest_ == 0) { // whole steps
         return {steps_ + whole, rest_};
     }
     const double fraction = static_cast<double>(product % denominator) / static_cast<double>(denominator);

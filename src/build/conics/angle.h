@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Angles whose multiples of 15 degrees are exact.
+// Angles in which the multiples of 15 degrees are exact.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@ struct Direction {
     double sin;
 };
 
-// An angle as a number of 24ths of a turn and a remainder of at most half of one.
+// An angle as a whole number of steps of 15 degrees (24ths of a turn) and a remainder of at most half a step.
 class Angle {
 public:
-    // In radians. An angle that is a multiple of 15 degrees to within 4 units of rounding is taken as that
-    // multiple. Precondition: |radians| is at most 2^22.
+    // From radians. An angle that differs from a multiple of 15 degrees by at most 4 roundings (2^-53 of the
+    // angle each) becomes that multiple. Precondition: |radians| is at most 2^22.
     static Angle from_radians(double radians) noexcept;
     static Angle quarters(int64_t quarters) noexcept { return {6 * quarters, 0}; }
 
@@ -26,7 +26,8 @@ public:
         return Angle{0, 0}.plus(*this, numerator, denominator);
     }
 
-    // Cosine and sine, each within eps of its value for this angle; values that are 0, 1/2 or 1 are exact.
+    // Cosine and sine, each within eps of the true value for this angle. The values 0, +-1/2 and +-1 are
+    // exact.
     [[nodiscard]] Direction direction() const noexcept;
     [[nodiscard]] double radians() const noexcept;
     [[nodiscard]] bool full_turn() const noexcept { return rest_ == 0 && (steps_ == 24 || steps_ == -24); }
@@ -48,8 +49,8 @@ inline Turn full_turn() noexcept {
     return {Angle::quarters(0), Angle::quarters(4)};
 }
 
-// Throws Status::angle, naming the angle, for a start that is not finite or above 2^22, and for a sweep that
-// is not finite, 0, or more than a full turn.
+// Both throw Status::angle, naming the argument, for an angle that is not finite or whose magnitude exceeds
+// 2^22; make_turn() also for a sweep that is 0 or more than a full turn.
 Turn make_turn(double start, double sweep, const char *start_name = "start",
                const char *sweep_name = "sweep");
 Angle make_angle(double radians, const char *name);

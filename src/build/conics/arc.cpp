@@ -12,8 +12,8 @@ namespace nrb::build {
 
 namespace {
 
-// The number of pieces of at most `largest`, which divides the turn. A sweep that is a multiple of `largest`
-// to within rounding gets no extra piece.
+// The smallest number of equal pieces that are at most `largest`, an angle that divides the full turn. A
+// sweep that is a multiple of `largest` to within rounding gets no extra piece.
 int64_t piece_count(const Angle &sweep, double largest) noexcept {
     const double pieces = std::fabs(sweep.radians()) / largest;
     return std::max<int64_t>(1, static_cast<int64_t>(std::ceil(pieces * (1 - 0x1p-50))));
@@ -73,7 +73,7 @@ void check_arc_form(int32_t form, int32_t last) {
 
 Arc unit_hyperbola(double start, double end) {
     const double length = end - start;
-    if (!(length < 4096)) { // cosh() of either end overflows
+    if (!(length < 4096)) { // cosh() overflows at one end
         fail(Status::not_representable, "the hyperbola from %s to %s overflows", Number(start).text,
              Number(end).text);
     }
@@ -83,7 +83,7 @@ Arc unit_hyperbola(double start, double end) {
         const double part = static_cast<double>(i) / static_cast<double>(pieces);
         const double u = i == pieces ? end : start + length * part;
         const ArcPoint a = arc.points.back(), b{std::cosh(u), std::sinh(u), 1};
-        const double t = (b.y - a.y) / (a.x + b.x); // tanh(d / 2), from the points as they were rounded
+        const double t = (b.y - a.y) / (a.x + b.x); // tanh(d / 2), from the rounded points
         const double narrow = (1 - t) * (1 + t);    // 1 / cosh^2 (d / 2)
         arc.points.push_back({(a.x + b.x) / 2 * narrow, (a.y + b.y) / 2 * narrow, 1 / std::sqrt(narrow)});
         arc.points.push_back(b);

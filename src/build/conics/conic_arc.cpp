@@ -15,7 +15,8 @@ namespace nrb::build {
 
 namespace {
 
-// Control points of one degree with weights; neighbouring pieces have their common end once.
+// Control points and weights of consecutive pieces of one degree; the common end of two pieces is stored
+// once.
 struct Net {
     std::vector<double> points;
     std::vector<double> weights;
@@ -42,7 +43,8 @@ void add_triangle_middle(Net &net, const ConicArc &conic) {
     net.add(point, conic.weight);
 }
 
-// A + (x - 1) U + y V for the inner points of the arc of the unit circle.
+// Adds the inner control points of an elliptic arc: A + (x - 1) U + y V for the inner control points (x, y)
+// of the arc of the unit circle. Returns the knots of the arc.
 KnotVectorPtr append_ellipse(Net &net, const ConicArc &conic, int32_t form) {
     const double angle = 4 * std::atan2(std::sqrt(conic.below), std::sqrt(conic.above));
     const Arc picture = unit_arc({Angle::from_radians(0), Angle::from_radians(angle)}, form);
@@ -60,9 +62,10 @@ KnotVectorPtr append_ellipse(Net &net, const ConicArc &conic, int32_t form) {
     return picture.axis;
 }
 
-// The homogeneous point a^2 (A, 1) + 2 a b (h, w) + b^2 (B, 1) has the weight 1 for a = sinh(d - u / 2) /
-// sinh d and b = sinh(u / 2) / sinh d, w = cosh d; polar values of two such pairs are the control points
-// between them. All coefficients are positive, so that nothing cancels however sharp the hyperbola is.
+// Adds the inner control points of a hyperbolic or parabolic arc; returns its knots. With w = cosh d, the
+// homogeneous point a^2 (A, 1) + 2 a b (h, w) + b^2 (B, 1) has the weight 1 for a = sinh(d - u / 2) / sinh d
+// and b = sinh(u / 2) / sinh d. The polar values of two such pairs (a, b) are the control points between
+// them. All coefficients are positive, so nothing cancels, however sharp the hyperbola is.
 KnotVectorPtr append_hyperbola(Net &net, const ConicArc &conic) {
     const double d = 2 * std::asinh(std::sqrt(-conic.below / 2)), whole = std::sinh(d);
     const auto pieces = std::max<int64_t>(1, static_cast<int64_t>(std::ceil(d)));

@@ -19,7 +19,8 @@ std::vector<double> copy(Coordinates x) {
     return {x.begin(), x.end()};
 }
 
-// Points of the plane (x, y, w), at infinity where w is 0; lines a x + b y + c w = 0.
+// Points (x, y, w) of the projective plane, at infinity if w is 0; or the coefficients (a, b, c) of lines a x
+// + b y + c w = 0.
 struct Projective {
     DoubleDouble x;
     DoubleDouble y;
@@ -40,8 +41,8 @@ ConicArc arc_in(const PlaneFrame &plane, Coordinates a, Coordinates b, const Poi
                           [&plane](const Point2 &v) { return plane.vector(v); });
 }
 
-// The circle that leaves the origin in a direction: the half angle of the arc is the angle between the
-// tangent and the chord.
+// The circular arc from a, the origin of the plane, to b with a given tangent at a. Half the angle of the arc
+// is the angle between the tangent and the chord.
 ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, const Point2 &tangent) {
     const Point2 chord = plane.point(b);
     const DoubleDouble width = norm(chord), size = norm(tangent);
@@ -49,9 +50,10 @@ ConicArc circle_over(Coordinates a, Coordinates b, const PlaneFrame &plane, cons
     return arc_in(plane, a, b, width * DoubleDouble(0.5) / size * tangent, cosine);
 }
 
-// A conic through the origin and the end of a chord c, with tangents s and t there, as a function of a point:
-// its homogeneous control point is (k (c x t) s, k (s x t)), in offsets from the origin. A point r0 (0, 1) +
-// r1 ((c x t) s, s x t) + r2 (c, 1) of the plane is on it for k = r1 / (2 sqrt(r0 r2)).
+// The pencil of conics through the origin and the end of a chord c with the tangents s and t there. A conic
+// of the pencil is given by a factor k: in offsets from the origin, its homogeneous control point between the
+// ends is (k (c x t) s, k (s x t)), where x is the plane cross product. A point r0 (0, 1) + r1 ((c x t) s, s
+// x t) + r2 (c, 1) of the plane is on it for k = r1 / (2 sqrt(r0 r2)).
 class TangentPencil {
 public:
     TangentPencil(const Point2 &chord, const Point2 &tangent_a, const Point2 &tangent_b)
@@ -99,7 +101,7 @@ ConicArc arc_of_pencil(Coordinates a, Coordinates b, const PlaneFrame &plane, co
 }
 
 // The tangent at p[0] of the conic through five points, by Pascal's theorem for the hexagon 0 0 1 2 3 4: the
-// sides 01 and 34, 12 and 40 and the tangent and 23 meet on one line.
+// opposite sides 01 and 34, 12 and 40, 23 and the tangent meet in three points of one line.
 Point2 pascal_tangent(const std::array<Projective, 5> &p) noexcept {
     const Projective first = cross(cross(p[0], p[1]), cross(p[3], p[4]));
     const Projective second = cross(cross(p[1], p[2]), cross(p[4], p[0]));
@@ -134,7 +136,8 @@ void check_triangles(const std::array<Projective, 5> &p, double rounding) {
     }
 }
 
-// Along the arc of a factor the ratio r2 / r0 increases from 0 to infinity.
+// Checks that points 1 to 3 lie on the arc of a factor in this order: along the arc, the ratio r2 / r0
+// increases from 0 to infinity.
 void check_order(const TangentPencil &pencil, const std::array<Projective, 5> &p,
                  const DoubleDouble &factor) {
     double last = 0;
@@ -154,9 +157,9 @@ void check_order(const TangentPencil &pencil, const std::array<Projective, 5> &p
 struct Crossing {
     double alpha;
     double beta;
-    double miss;
+    double miss;  // distance between the two points
     double sine;  // of the angle between the lines
-    double reach; // the longer way
+    double reach; // the longer of the distances from a and b
 };
 
 DoubleDouble wide_dot(std::span<const DoubleDouble> a, std::span<const DoubleDouble> b) noexcept {
@@ -167,8 +170,8 @@ DoubleDouble wide_dot(std::span<const DoubleDouble> a, std::span<const DoubleDou
     return sum;
 }
 
-// a + alpha s and b - beta t at the place where they come closest. The directions are unit vectors, to
-// rounding. Twice the precision lets lines at small angles meet as accurately as others.
+// The points a + alpha s and b - beta t at which two lines come closest. The directions have lengths near 1.
+// In double-double precision, lines at small angles meet as accurately as others.
 Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
     const std::vector<DoubleDouble> u(s.begin(), s.end()), v(t.begin(), t.end());
     std::vector<DoubleDouble> chord;
@@ -189,7 +192,7 @@ Crossing closest(Coordinates a, Coordinates s, Coordinates b, Coordinates t) {
             reach};
 }
 
-// A direction times a power of two that brings it to about 1.
+// A direction times the power of two that brings its largest component into [1, 2).
 std::vector<double> scaled_direction(Coordinates v) {
     double size = 0;
     for (const double x : v) {
@@ -215,7 +218,8 @@ double largest_coordinate(Coordinates a, Coordinates b) noexcept {
 SplinePtr arc_through(Coordinates a, Coordinates b, Coordinates c, int32_t form) {
     check_arc_form(form);
     const PlaneFrame plane(a, c, b, "a, b and c");
-    // The angle at b is half a turn minus the angle between the tangent and the chord.
+    // The inscribed angle at b is half a turn minus the angle between the tangent at a and the chord from a
+    // to c.
     const Point2 p = plane.point(b), chord = plane.point(c);
     const DoubleDouble cosine = dot(p, chord - p), sine = cross(p, chord);
     const Point2 tangent{cosine * chord.x + sine * chord.y, cosine * chord.y - sine * chord.x};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arcs of circles and conics from the points and tangents that they must have.
+// Circular and conic arcs with given points and tangents.
 #pragma once
 
 #include "build/conics/conic_arc.h"
@@ -9,7 +9,7 @@
 
 namespace nrb::build {
 
-using Coordinates = std::span<const double>; // of one point or direction; the same number in all arguments
+using Coordinates = std::span<const double>; // of one point or direction, equally many in all arguments
 
 // These functions are described in nurbs.h. They throw Status::collinear, conic, direction and what
 // conic_curve() throws. Preconditions: finite coordinates, at least two; directions are not 0.

@@ -44,7 +44,7 @@ SplinePtr parabola(const Placement &place, double focal_length, double start, do
     check_positive_length(focal_length, "focal_length");
     check_range(start, end);
     const auto dim = static_cast<size_t>(place.dim);
-    const double slope = start / focal_length / 4; // x = t^2 / (4 f), by its polar form
+    const double slope = start / focal_length / 4; // x = t^2 / (4 f) has the polar form s t / (4 f)
     const double end_slope = end / focal_length / 4;
     std::vector<double> points(3 * dim);
     place.point(slope * start, start, 0, points.data());

@@ -15,7 +15,7 @@ namespace nrb::build {
 
 namespace {
 
-// Vectors of the frame as vectors of space.
+// A vector of the frame as a vector of space.
 std::vector<double> vector_in(const Placement &place, const Point2 &v) {
     Placement at_origin = place;
     at_origin.origin = {};
@@ -30,6 +30,7 @@ std::vector<double> point_in(const Placement &place, const Point2 &p) {
     return out;
 }
 
+// The point of the conic at the angle a about the focus.
 struct Ray {
     Point2 point;
     DoubleDouble divisor; // 1 + e cos a
@@ -42,8 +43,9 @@ Ray ray_at(double parameter, double e, const Direction &d) {
             divisor};
 }
 
-// The arc of r (1 + e cos a) = e d between two angles at most half a turn apart: the homogeneous points (e d
-// cos a, e d sin a; 1 + e cos a) are a linear image of those of the circle.
+// The arc of the conic r (1 + e cos a) = e d between two angles at most half a turn apart. `parameter` is e
+// d, angles[1] is halfway, and half_cosine is the cosine of half the difference. The homogeneous points (e d
+// cos a, e d sin a; 1 + e cos a) are a linear image of those of the circle, and so are the control points.
 ConicArc focal_arc(const Placement &place, double parameter, double e, const std::array<Angle, 3> &angles,
                    double half_cosine) {
     const Ray a = ray_at(parameter, e, angles[0].direction()),
@@ -57,8 +59,8 @@ ConicArc focal_arc(const Placement &place, double parameter, double e, const std
                           weight, [&place](const Point2 &v) { return vector_in(place, v); });
 }
 
-// With e >= 1 the curve goes to infinity where cos a = -1 / e. It does so on the way if half a turn is on the
-// way, and otherwise at an end.
+// With e >= 1 the conic reaches infinity where cos a = -1 / e, and 1 + e cos a <= 0 from there to the angle
+// pi. So a turn that meets such an angle contains pi, or 1 + e cos a <= 0 at one of its ends.
 void check_finite(const Turn &turn, double e) {
     constexpr double full = 2 * std::numbers::pi;
     const double sweep = turn.sweep.radians(), sign = sweep < 0 ? -1 : 1;
@@ -109,8 +111,7 @@ SplinePtr conic_focus(const FocalFrame &frame, double eccentricity, const Turn &
              Number(eccentricity).text);
     }
     check_finite(turn, eccentricity);
-    const int64_t arcs =
-        std::fabs(turn.sweep.radians()) > 3 ? 2 : 1; // less than half a turn, or exactly half a turn
+    const int64_t arcs = std::fabs(turn.sweep.radians()) > 3 ? 2 : 1; // so that no arc exceeds half a turn
     const double half_cosine = turn.sweep.part(1, 2 * arcs).direction().cos;
     std::vector<ConicArc> pieces;
     for (int64_t i = 0; i < arcs; ++i) {

@@ -34,7 +34,7 @@ Quotient as_quotient(const SplinePtr &curve) {
 
 namespace {
 
-// The denominators that differ, and which of them each function has.
+// The distinct denominators of some functions, and which of them each function has.
 class Denominators {
 public:
     explicit Denominators(std::span<const Quotient> functions) {
@@ -42,7 +42,7 @@ public:
             owner_.push_back(function.denominator == nullptr ? none : place(function.denominator));
         }
     }
-    // The product of all, or of all except that of a function; null: 1.
+    // The product of all denominators, or of all except that of a function; null: 1.
     [[nodiscard]] SplinePtr product_of_all() const { return product_without(none); }
     [[nodiscard]] SplinePtr product_of_others(size_t function) const {
         return product_without(owner_[function]);
@@ -83,8 +83,8 @@ SplinePtr blending_functions(Interval domain, int degree) {
                                      degree + 1, degree == 1 ? linear : cubic);
 }
 
-// The length of parameter over which a unit of derivative moves control point 1 by 1; then the same for the
-// other end.
+// By how much control point 1 differs from control point 0 for a unit of derivative at the start; then the
+// same for the other end.
 double first_step(const KnotVector &axis) noexcept {
     const int r = axis.degree();
     return (axis[r + 1] - axis[1]) / r;
@@ -96,8 +96,8 @@ double last_step(const KnotVector &axis) noexcept {
     return (axis[n + r - 1] - axis[n - 1]) / r;
 }
 
-// Values at the ends and, for Hermite's functions, derivatives: the layers of the margin in terms of those of
-// D.
+// Sets the control points of the blending functions in the margins, which give the values at the ends and,
+// for Hermite functions, the derivatives. They depend on the weights of D.
 void set_ends(BlendAxis &made) {
     const auto n = static_cast<size_t>(made.count());
     std::vector<std::vector<double>> &f = made.blends;
@@ -125,7 +125,7 @@ std::vector<double> divided(const BlendAxis &made, std::span<const double> numer
     return points;
 }
 
-// The components of the curve of blending functions.
+// The components of the curve of blending functions, each by itself.
 std::vector<std::vector<double>> parted(const std::vector<double> &points, size_t size) {
     std::vector<std::vector<double>> parts(size);
     for (size_t i = 0; i < points.size(); ++i) {
@@ -171,7 +171,7 @@ std::vector<std::vector<double>> control_points(const BlendAxis &made, std::span
     return points;
 }
 
-// Polynomial functions and the linear blending functions.
+// Polynomial functions and the linear blending functions over their knots.
 BlendAxis linear_blend(std::vector<SplinePtr> functions) {
     const std::vector<SplinePtr> all = over_common_axis(std::move(functions));
     BlendAxis made{all[0]->knot_vectors()[0], {}, {}, {}};
@@ -180,6 +180,7 @@ BlendAxis linear_blend(std::vector<SplinePtr> functions) {
     return made;
 }
 
+// Any functions, over the common denominator, which also multiplies the blending functions.
 BlendAxis general_blend(std::vector<SplinePtr> functions, const SplinePtr &common, int degree) {
     const size_t count = functions.size();
     functions.push_back(refine::times(blending_functions(functions[0]->axis(0).domain(), degree), common));

@@ -38,7 +38,7 @@ SplinePtr plus(const SplinePtr &a, const SplinePtr &b) {
     return checked_terms(both[0]->knot_vectors(), a->dim(), std::move(points));
 }
 
-// A boundary of any dimension: a face, an edge or a corner, as numerators over weights.
+// A face, an edge or a corner, as numerators over weights.
 struct HomogeneousNet {
     Spline::Axes axes;
     std::vector<double> numerators;
@@ -63,12 +63,12 @@ HomogeneousNet homogeneous_net(const Spline &spline) {
     return part;
 }
 
-// How each axis of the volume stands in a term: free, or at an end.
+// What an axis of the volume is in a term: free, or fixed at its start or end.
 enum class Stand { free, start, end };
 using Stands = std::array<Stand, 3>;
 
-// The records of a boundary at its place among the layers of a volume, which has `fixed` layers along axes
-// that are not free; 0 if these do not stand at their ends.
+// The records of a face, edge or corner, times a factor, among the layers of a volume. Along a fixed axis the
+// volume has two layers, of which the one at the other end becomes 0, or a single one.
 std::vector<double> spread(const std::vector<double> &records, int width,
                            const std::array<int64_t, 3> &counts, const Stands &stands, double factor) {
     std::vector<double> result;
@@ -96,7 +96,7 @@ class BlendSum {
 public:
     BlendSum(int dim, const std::array<Interval, 3> &domains) : dim_(dim), domains_(domains) {}
 
-    // Adds factor times the boundary, times the linear blending functions of the axes that are not free.
+    // Adds factor times a face, edge or corner, times the linear blending functions of the fixed axes.
     void add(const HomogeneousNet &part, const Stands &stands, double factor) {
         const SplinePtr term = over_volume(part, part.numerators, dim_, stands, 1, factor);
         const SplinePtr denominator =
@@ -118,8 +118,7 @@ public:
         for (const Group &group : groups_) {
             numerators = plus(numerators, refine::times(group.sum, product_without(&group)));
         }
-        const SplinePtr denominator =
-            product_without(nullptr); // none if the weights of each boundary are equal
+        const SplinePtr denominator = product_without(nullptr); // null if no term has a denominator
         std::vector<SplinePtr> both{numerators};
         if (denominator != nullptr) {
             both = made_compatible(numerators, denominator);
@@ -140,7 +139,7 @@ private:
         SplinePtr sum;
     };
 
-    // A function of the free axes as a function of all axes, of the given degree along the others.
+    // A function of the free axes as a function of all axes, of the given degree along the fixed ones.
     [[nodiscard]] SplinePtr over_volume(const HomogeneousNet &part, const std::vector<double> &records,
                                         int width, const Stands &stands, int degree, double factor) const {
         Spline::Axes axes;
@@ -178,7 +177,8 @@ SplinePtr edge_curve(const Spline &face, int place, bool upper) {
     return refine::iso(face, place, upper ? domain.upper : domain.lower, {});
 }
 
-// A proven bound of the distance of two curves; 0 if they are the same, up to a factor of the weights.
+// A proven bound of the distance between two curves at equal parameters; 0 if they are the same, bit for bit,
+// once each is divided by its first weight.
 double gap(const SplinePtr &a, const SplinePtr &b) {
     const HomogeneousNet one = homogeneous_net(*a), other = homogeneous_net(*b);
     const bool same = std::ranges::equal(a->axis(0).knots(), b->axis(0).knots()) &&
@@ -198,7 +198,7 @@ void add_faces(const std::vector<SplinePtr> &faces, BlendSum &sum) {
     }
 }
 
-// Edges, and those along the last axis with the corners at their ends.
+// Subtracts the edges, and adds the corners as the ends of those along the last axis.
 void add_edges(const std::vector<SplinePtr> &faces, double tolerance, BlendSum &sum) {
     for (int k = 0; k < 3; ++k) {
         for (size_t i = 0; i < edges_of_axis; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blended volumes whose denominators are functions of more than one parameter.
+// Coons volumes of faces whose weights are not products of one factor for each axis.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,12 +8,12 @@
 
 namespace nrb::build {
 
-// The volume of volume_coons() as the sum of its 6 + 12 + 8 terms: terms with one denominator are added up
-// first, and each of these sums is multiplied by the denominators of the others. Edges and corners are taken
-// from the face that comes first, so that where faces differ the later ones are missed by up to the gap.
-// Degrees are the sum of the degrees of all denominators that differ, of faces and edges, plus 1. Throws
-// Status::gap, degree, weights_vanish and what product() throws. Precondition: 6 surfaces of the same
-// dimension. Cost: that of the products.
+// The volume of volume_coons() as the sum of its 6 + 12 + 8 terms, for faces, edges and corners. Terms with
+// the same denominator are added first; each of these sums is then multiplied by the denominators of the
+// others. Edges and corners are taken from the first of the faces that share them, so where faces differ, the
+// volume misses the later ones by up to the gap. Degrees are the sum of the degrees of all distinct
+// denominators, of faces and edges, plus 1. Throws Status::gap, degree, weights_vanish and what product()
+// throws. Precondition: 6 surfaces of the same dimension. Cost: that of the products.
 SplinePtr sum_of_blends(const std::vector<SplinePtr> &faces, double tolerance);
 
 } // namespace nrb::build

@@ -22,14 +22,14 @@ std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int
     }
     const auto values = static_cast<size_t>(size / (dim + 1) * dim);
     std::vector<double> net;
-    net.reserve(values + Spline::padding); // so that the spline need not move them
+    net.reserve(values + Spline::padding); // so that the spline does not reallocate them
     net.resize(values);
     return net;
 }
 
 namespace {
 
-// The products of one number for each layer of every axis, last axis fastest.
+// The tensor product of value(axis, layer) over the axes, the last one fastest.
 template <class Value>
 std::vector<double> tensor(const std::vector<const BlendAxis *> &axes, Value &&value) {
     std::vector<double> products{1};

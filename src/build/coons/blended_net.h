@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control nets that are sums of products of values blended along the axes.
+// Control nets that are sums of products of functions along the axes.
 #pragma once
 
 #include "build/coons/blend_axis.h"
@@ -27,7 +27,7 @@ inline void add_scaled_pair(double f, const double *x, double g, const double *y
     }
 }
 
-// out += f (x) record: a function of one parameter times a point, or any other record.
+// out += f (x) record (the tensor product): a function of one parameter times a point or any other record.
 inline void add_product(const std::vector<double> &f, std::span<const double> record,
                         std::span<double> out) noexcept {
     for (size_t i = 0; i < f.size(); ++i) {
@@ -35,8 +35,8 @@ inline void add_product(const std::vector<double> &f, std::span<const double> re
     }
 }
 
-// out += f (x) x + g (x) y, where x and y are points. The loop goes coordinate by coordinate, because
-// coordinates are few and layers many.
+// out += f (x) x + g (x) y, where x and y are points. The loop goes coordinate by coordinate, because there
+// are few coordinates and many layers.
 inline void add_product_pair(const std::vector<double> &f, const double *x, const std::vector<double> &g,
                              const double *y, size_t dim, double *out) noexcept {
     for (size_t c = 0; c < dim; ++c) {
@@ -46,15 +46,15 @@ inline void add_product_pair(const std::vector<double> &f, const double *x, cons
     }
 }
 
-// Sets to 0 those layers of records of a function that belong to the ends.
+// Sets the layers of a function in the margins of an axis to 0; a layer has `width` values.
 void clear_margins(const BlendAxis &axis, size_t width, std::vector<double> &function);
 
-// Memory for a net over the axes, in their order. Throws Status::overflow.
+// A net of zeros over the axes, the last one fastest. Throws Status::overflow.
 std::vector<double> net_of_zeros(const std::vector<const BlendAxis *> &axes, int dim);
 
-// The spline of a net whose control points are numerators over the product of the divisors of the axes. If it
-// is rational it has the given form, unless points at infinity make it a homogeneous one. Throws
-// Status::not_representable and what make_result() throws.
+// The spline of a net, whose entries are numerators over the product of the divisors of the axes
+// (BlendAxis::divisor()). If it is rational, it has the given form, or is homogeneous if there are points at
+// infinity. Throws Status::not_representable and what make_result() throws.
 SplinePtr blended_spline(const std::vector<const BlendAxis *> &axes, int dim, Form form,
                          std::vector<double> net);
 

@@ -13,7 +13,8 @@ namespace nrb::build {
 
 namespace {
 
-// The functions of one parameter: along axis 1 those of boundaries 0 and 1, along axis 0 those of 2 and 3.
+// The functions along an axis: along axis 1 boundaries 0 and 1 with their cross tangents, along axis 0
+// boundaries 2 and 3.
 BlendAxis blend_axis(const PatchCurves &curves, int axis) {
     const size_t first = axis == 0 ? 2 : 0;
     std::vector<Quotient> functions;
@@ -53,7 +54,7 @@ double length(Interval domain) noexcept {
     return domain.upper - domain.lower;
 }
 
-// The corners of a Hermite patch: means of the data that are given twice, and twists by the rule.
+// The corner data of a Hermite patch: means of what is given twice, and twists by the rule.
 class HermiteCorners {
 public:
     HermiteCorners(const PatchCurves &curves, const TwistRule &twists)
@@ -68,7 +69,7 @@ public:
     }
     [[nodiscard]] const CornerPair &pair() const noexcept { return pair_; }
     [[nodiscard]] const CornerMatrix &matrix() const noexcept { return m_; }
-    // Largest difference between a twist and those of the cross tangents.
+    // The largest difference between a twist and those of the cross tangents.
     [[nodiscard]] double twist_gap() const noexcept {
         double largest = 0;
         for (int i = 2; i < 4 && has_cross_; ++i) {
@@ -115,7 +116,8 @@ private:
         return ((m_.at(1, 1)[c] - m_.at(0, 1)[c]) - (m_.at(1, 0)[c] - m_.at(0, 0)[c])) / lengths_[0] /
                lengths_[1];
     }
-    // The derivative by u and v of (1 - u) c0(v) + u c1(v) + (1 - v) c2(u) + v c3(u) less the bilinear patch.
+    // The mixed derivative of (1 - u) c0(v) + u c1(v) + (1 - v) c2(u) + v c3(u) minus the bilinear patch, u
+    // and v being mapped to [0, 1].
     [[nodiscard]] double adini(int i, int j, int c) const noexcept {
         const double across0 = pair_.along1.at(1, j + 2)[c] - pair_.along1.at(0, j + 2)[c];
         const double across1 = pair_.along0.at(i + 2, 1)[c] - pair_.along0.at(i + 2, 0)[c];
@@ -130,7 +132,7 @@ private:
     CornerMatrix m_;
 };
 
-// The cubic with the values and derivatives at its ends that row or column i of m has.
+// The cubic whose values and derivatives at the ends are row or column i of m.
 SplinePtr hermite_cubic(const CornerMatrix &m, int i, bool row, Interval domain) {
     const auto entry = [&](int j) { return row ? m.at(i, j) : m.at(j, i); };
     const double third = (domain.upper - domain.lower) / 3;
@@ -147,7 +149,7 @@ SplinePtr hermite_cubic(const CornerMatrix &m, int i, bool row, Interval domain)
                        std::move(points));
 }
 
-// Cross tangents that are Hermite's cubics of the data at the corners.
+// Cross tangents that are the Hermite cubics of the tangents and twists at the corners.
 std::vector<SplinePtr> cross_of_corners(const PatchCurves &curves, const CornerMatrix &m) {
     const Interval u = curves.domain(0), v = curves.domain(1);
     return {hermite_cubic(m, 2, true, v), hermite_cubic(m, 3, true, v), hermite_cubic(m, 2, false, u),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces from their boundaries.
+// Coons surfaces: surfaces from their boundary curves and, in Hermite form, the derivatives across them.
 #pragma once
 
 #include "build/coons/corner.h"
@@ -12,8 +12,8 @@ namespace nrb::build {
 SplinePtr surface_coons(const PatchCurves &curves, double tolerance);
 
 enum TwistChoice : int32_t {
-    twist_compatible = 0, // both, which must agree to the tolerance
-    twist_average,        // their mean
+    twist_compatible = 0, // that of both cross tangents, which must agree to the tolerance
+    twist_average,        // the mean of both
     twist_given,
     twist_zero,     // Ferguson's patch
     twist_bilinear, // that of the bilinear patch of the corners
@@ -32,7 +32,8 @@ struct HermitePatch {
 };
 
 // See nurbs_surface_coons_hermite(). Throws Status::gap, tangent, twist, and what make_blend_axis() and
-// coons_patch() throw. Precondition: the rule suits.
+// coons_patch() throw. Precondition: twist_compatible and twist_average need cross tangents, twist_given
+// needs `given`.
 HermitePatch surface_coons_hermite(const PatchCurves &curves, const TwistRule &twists, double tolerance);
 
 } // namespace nrb::build

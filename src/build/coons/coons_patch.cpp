@@ -9,7 +9,7 @@ namespace nrb::build {
 
 namespace {
 
-// A matrix of the corners as an axis sees it: entry (i, j) belongs to end j of function i.
+// A corner matrix as an axis sees it: entry (i, j) belongs to end j of function i.
 using Entry = const double *(*)(const CornerMatrix &, int, int);
 
 const double *by_row(const CornerMatrix &m, int i, int j) {
@@ -19,7 +19,7 @@ const double *by_column(const CornerMatrix &m, int i, int j) {
     return m.at(j, i);
 }
 
-// The difference between the values of m at the ends of function i and the function's own values there.
+// What function i lacks to have the data of m at its ends: the differences times the blending functions.
 std::vector<double> correction(const BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, int i,
                                Entry entry) {
     const auto dim = static_cast<size_t>(m.dim());
@@ -35,8 +35,8 @@ std::vector<double> correction(const BlendAxis &along, const CornerMatrix &own, 
     return total;
 }
 
-// Makes the functions along an axis agree with m at the ends. The values there are then those of m bit for
-// bit; they are rounded once.
+// Makes the functions along an axis agree with m at the ends. The values there are copies of those of m, bit
+// for bit.
 void correct(BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, Entry entry) {
     const auto dim = static_cast<size_t>(m.dim());
     for (size_t i = 0; i < along.functions.size(); ++i) {
@@ -49,7 +49,7 @@ void correct(BlendAxis &along, const CornerMatrix &own, const CornerMatrix &m, E
     }
 }
 
-// B_j minus the blend of its values at its ends: 0 in the margins.
+// B_j minus the blend of its data at its ends: 0 in the margins.
 std::vector<std::vector<double>> rests(const BlendAxis &u, const CornerMatrix &m) {
     const auto dim = static_cast<size_t>(m.dim());
     std::vector<std::vector<double>> rests = u.functions;
@@ -65,7 +65,7 @@ std::vector<std::vector<double>> rests(const BlendAxis &u, const CornerMatrix &m
     return rests;
 }
 
-// The layers at the ends of v that do not belong to the ends of u depend only on the functions of u.
+// Sets the layers in the margins of v but not of u, which depend only on the functions of u.
 void set_margins(const BlendAxis &u, const BlendAxis &v, size_t dim, std::vector<double> &net) {
     const auto nu = static_cast<size_t>(u.count()), nv = static_cast<size_t>(v.count());
     for (size_t k = u.margin(); k + u.margin() < nu; ++k) {

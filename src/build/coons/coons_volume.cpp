@@ -19,7 +19,7 @@ namespace nrb::build {
 
 namespace {
 
-using Ends = std::array<bool, 3>; // upper or not, on each axis
+using Ends = std::array<bool, 3>; // whether at the upper end, for each axis
 
 void check_faces(const std::vector<SplinePtr> &faces) {
     for (size_t i = 0; i < faces.size(); ++i) {
@@ -31,7 +31,7 @@ void check_faces(const std::vector<SplinePtr> &faces) {
     }
 }
 
-// Six faces over common knots, Cartesian, and the functions that blend them.
+// Six faces with Cartesian control points over common knots, and the functions that blend them.
 class FaceBlend {
 public:
     FaceBlend(const std::vector<SplinePtr> &faces, double tolerance) : dim_(faces[0]->dim()) {
@@ -104,14 +104,14 @@ private:
         made.functions.clear();
     }
 
-    // Point of a face at a corner of the volume.
+    // The control point of a face at a corner of the volume.
     [[nodiscard]] const double *corner_point(size_t face, const Ends &ends) const noexcept {
         const FaceAxes axes(face);
         const FaceNet &net = nets_[face];
         return net.point(ends[static_cast<size_t>(axes.first)] ? net.count(0) - 1 : 0,
                          ends[static_cast<size_t>(axes.second)] ? net.count(1) - 1 : 0);
     }
-    // The layer of a face along an edge, at an end of another axis.
+    // The layer of a face at an end of an axis: an edge of the volume.
     [[nodiscard]] std::vector<double> layer(size_t face, int axis, bool upper) const {
         return nets_[face].layer(FaceAxes(face).place(axis), upper);
     }
@@ -128,11 +128,11 @@ private:
         return mean;
     }
 
-    // An edge of control points over the weights of its axis.
+    // The curve of control points over the knots and weights of an axis.
     [[nodiscard]] SplinePtr edge_curve(int axis, const std::vector<double> &points) const {
         return blended_spline({&blends_[static_cast<size_t>(axis)]}, dim_, Form::rational, points);
     }
-    // A proven bound of the distance of two edges.
+    // A proven bound of the distance between two edges along an axis at equal parameters.
     [[nodiscard]] double gap(int axis, const std::vector<double> &a, const std::vector<double> &b,
                              double tolerance) const {
         if (a == b) {
@@ -146,8 +146,8 @@ private:
         return bounds::deviation(*first, *second).upper;
     }
 
-    // Whether both faces have the edge with the same bits; taking their weights apart would round
-    // differently.
+    // Whether both faces were given with the same bits on the edge. Separating their weights may round them
+    // differently, which is not a gap.
     [[nodiscard]] bool stored_alike(const VolumeEdge &edge) const {
         const Spline &a = stored_boundary(edge.face(), edge.second, edge.second_upper);
         const Spline &b = stored_boundary(edge.other_face(), edge.first, edge.first_upper);
@@ -158,7 +158,7 @@ private:
         return *stored_[face][face_at(FaceAxes(face).place(axis), upper)];
     }
 
-    // The mean of the edges of the two faces, and of the corners at its ends.
+    // The mean of the edges of the two faces, with the mean corners as its ends. Throws Status::gap.
     [[nodiscard]] std::vector<double> mean_edge(const VolumeEdge &edge, double tolerance) const {
         std::vector<double> a = layer(edge.face(), edge.second, edge.second_upper);
         const std::vector<double> b = layer(edge.other_face(), edge.first, edge.first_upper);
@@ -176,7 +176,7 @@ private:
         }
         return a;
     }
-    // Moves the records of a function by what brings one of its ends to a value.
+    // Adds a multiple of a blending function to a function, so that one of its ends takes a wanted value.
     static void pull(const BlendAxis &blend, size_t end, const std::vector<double> &wanted,
                      std::vector<double> &function) {
         const std::span<double> here =
@@ -206,9 +206,9 @@ private:
         }
     }
 
-    // Moves a face by what brings one of its edges to another place; the opposite edge stays where it is. The
-    // other two edges move only at their ends, where they meet the same corners: in whatever order the edges
-    // of a face are moved, all end up where they should be.
+    // Moves one edge of a face to wanted control points; the opposite edge stays where it is. An adjacent
+    // edge that has been moved already ends at the wanted corner, where the difference is now 0, so it stays
+    // too. Whatever the order in which its edges are moved, the face has all of them in the end.
     void pull_face(size_t face, int axis, bool upper, const std::vector<double> &wanted) {
         FaceNet &net = nets_[face];
         const int place = FaceAxes(face).place(axis);
@@ -233,7 +233,8 @@ private:
         }
     }
 
-    // A face minus the blend, along one of its axes, of its own layers there: 0 at its ends.
+    // Subtracts from a face the blend, along one of its axes, of its own layers at the ends: the result is 0
+    // there.
     void take_blend(FaceNet &net, int place, const BlendAxis &blend) const {
         const std::vector<double> lower = net.layer(place, false), upper = net.layer(place, true);
         const auto dim = static_cast<size_t>(dim_);
@@ -267,7 +268,7 @@ private:
         return rest;
     }
 
-    // out[j][k] += f[k] row[j], points.
+    // out[j][k] += f[k] row[j] for points row[j].
     void add_product_inside(const std::vector<double> &f, const double *row, std::span<double> out) const {
         const auto dim = static_cast<size_t>(dim_);
         const size_t inner = f.size() * dim;
@@ -275,7 +276,8 @@ private:
             add_product(f, {row + j * dim, dim}, out.subspan(j * inner, inner));
         }
     }
-    // The outer layers of a slice of constant i inside axis 0: those of the faces of axes 1 and 2.
+    // Sets the outer layers of a slice, i being an inner layer of axis 0, to those of the faces of axes 1 and
+    // 2.
     void set_borders(size_t i, std::span<double> slice) const {
         const auto dim = static_cast<size_t>(dim_);
         const size_t nv = count(1), nw = count(2);

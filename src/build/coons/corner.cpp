@@ -114,7 +114,7 @@ double gap_at(const CornerPair &pair, int i, int j) {
     return gap;
 }
 
-// The two curves that differ at a corner, and in which of their data.
+// For messages: the two curves that differ at a corner, and in which of their data.
 struct Difference {
     const char *what;
     size_t first;
@@ -130,7 +130,7 @@ void check_corner(double gap, double tolerance, size_t corner, Status status, co
     }
 }
 
-// The curves that meet at a corner: the boundary along axis 1, and the boundary along axis 0.
+// The two boundaries that meet at a corner: the one along axis 1 and the one along axis 0.
 struct Meeting {
     size_t along1;
     size_t along0;

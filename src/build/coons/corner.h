@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data at the corners of a surface that is made from its boundaries: positions, tangents and twists, each
-// known from two curves.
+// The corner data of a Coons surface: positions, tangents and twists, each of which two curves give.
 #pragma once
 
 #include "spline/spline.h"
@@ -11,8 +10,8 @@
 
 namespace nrb::build {
 
-// The four boundaries of a surface over its domain, clamped, and the derivatives across them or none; finite
-// at their ends.
+// The four boundaries of a surface, and the derivatives across them (cross tangents) or none. All are
+// clamped, over the domain of the surface, and have finite ends.
 struct PatchCurves {
     std::vector<SplinePtr> boundaries;
     std::vector<SplinePtr> cross;
@@ -24,15 +23,18 @@ struct PatchCurves {
     }
 };
 
-// Clamps and maps the curves as nurbs.h says. Throws Status::axes, dimension, knots_merge, weights_vanish for
-// an end at infinity, and what clamping throws. Preconditions: 4 boundaries, 4 or no cross tangents.
+// Clamps the curves and maps their domains as nurbs.h says. Throws Status::axes, dimension, knots_merge,
+// weights_vanish for an end at infinity, and what clamping throws. Preconditions: 4 boundaries, 4 or no cross
+// tangents.
 PatchCurves make_patch_curves(const std::vector<SplinePtr> &boundaries, const std::vector<SplinePtr> &cross);
 
-// The spline with clamped ends over a domain.
+// The spline with clamped ends along an axis, mapped to a domain there.
 SplinePtr clamped_over(const SplinePtr &spline, int axis, Interval domain);
 
-// Value and derivative at an end of a clamped curve, Cartesian. With homogeneous points A and weights w at
-// the end (0) and next to it (1) the derivative is p / h (A_1 - w_1 P_0) / w_0.
+// The Cartesian value and derivative at an end of a clamped curve of degree p. Let A be the homogeneous
+// points and w the weights, with the index 0 at the end and 1 next to it, P_0 = A_0 / w_0, and h the length
+// of the knots over which control point 1 acts, t_(p+1) - t_1 at the start. Then the derivative is p / h (A_1
+// - w_1 P_0) / w_0, with the opposite sign at the upper end.
 struct EndJet {
     std::vector<double> value;
     std::vector<double> slope;
@@ -40,7 +42,7 @@ struct EndJet {
 EndJet end_jet(const Spline &curve, bool upper);
 
 // Entry (i, j): value or derivative i by the parameter of axis 0 and j by that of axis 1, where 0 and 1 stand
-// for the values at the ends, 2 and 3 for the derivatives there.
+// for the values at the start and end, 2 and 3 for the derivatives there.
 class CornerMatrix {
 public:
     // A matrix of 2 or 4 rows and columns.
@@ -63,16 +65,16 @@ private:
     std::vector<double> values_;
 };
 
-// The corners according to the curves along axis 1 (boundaries 0 and 1 with the derivatives across them), and
-// according to the curves along axis 0 (2 and 3). Without cross tangents the entries that only they determine
-// are 0.
+// The corner data according to the curves along axis 1 (boundaries 0 and 1 with the derivatives across them),
+// and according to the curves along axis 0 (2 and 3). Without cross tangents, the entries that only these
+// determine are 0.
 struct CornerPair {
     CornerMatrix along1;
     CornerMatrix along0;
 };
 CornerPair corner_pair(const PatchCurves &curves, int order);
 
-// Corners in the order of nurbs_coons_gaps().
+// The corners are in the order of nurbs_coons_gaps().
 inline constexpr int corner_count = 4;
 
 struct CornerGaps {
@@ -83,7 +85,7 @@ struct CornerGaps {
 // Throws Status::not_representable.
 CornerGaps corner_gaps(const PatchCurves &curves);
 
-// Throws Status::gap, tangent, naming the corner.
+// Throw Status::gap and Status::tangent, naming the corner.
 void check_positions(const CornerPair &pair, double tolerance);
 void check_tangents(const CornerGaps &gaps, double tolerance);
 // Throws Status::twist, naming the corner.

@@ -30,13 +30,14 @@ SplinePtr function_of(const KnotVectorPtr &axis, int dim, std::vector<double> po
                                           std::vector<double>());
 }
 
-// The factors of the weights along both axes, null where they are 1, and the numerators over all axes.
+// The numerators over both axes, and the factors of the weights along each axis, null where they are
+// constant.
 struct Separated {
     SplinePtr numerators;
     std::array<SplinePtr, 2> denominators;
 };
 
-// Weights along an axis through control point `pivot`.
+// The weights along an axis through control point `pivot`.
 std::vector<double> weights_through(const Spline &face, int64_t pivot, int axis) {
     const int64_t columns = face.count(1);
     const int64_t first = axis == 0 ? pivot % columns : pivot / columns * columns;
@@ -60,7 +61,8 @@ SplinePtr denominator(const KnotVectorPtr &axis, const std::vector<double> &weig
     return equal ? nullptr : function_of(axis, 1, weights);
 }
 
-// The factors of the weights: through a control point that has a weight, those along axis 0 divided by it.
+// The factors of the weights: the weights along each axis through the first control point whose weight is not
+// 0, those along axis 0 divided by that weight.
 struct WeightFactors {
     std::vector<double> rows;
     std::vector<double> columns;
@@ -77,7 +79,7 @@ struct WeightFactors {
     }
 };
 
-// Divides numerators by factors that are constant.
+// Separates the weights. The numerators are divided by factors that are constant.
 Separated separated(const SplinePtr &face) {
     if (!face->rational()) {
         return {face, {}};
@@ -102,7 +104,8 @@ Separated separated(const SplinePtr &face) {
             parts.denominators};
 }
 
-// The factor divided by its first control point; the numerators are divided by that too.
+// The factor divided by its first control point, by which the numerators are divided, too. Throws
+// Status::weights_vanish if an end of the factor is 0.
 SplinePtr normalized(const SplinePtr &factor, std::vector<double> &numerators, size_t index) {
     if (factor == nullptr) {
         return factor;

@@ -29,7 +29,8 @@ std::vector<double> scaled_direction(int dim, const double *x) {
     return scaled;
 }
 
-// With component k of u the largest, v - (v_k / u_k) u is 0 only for parallel vectors.
+// Whether two vectors are parallel to within rounding. If component k of u is the largest, v - (v_k / u_k) u
+// is 0 only for parallel vectors.
 bool parallel(int dim, const double *side_u, const double *side_v) {
     const std::vector<double> u = scaled_direction(dim, side_u), v = scaled_direction(dim, side_v);
     const auto largest =

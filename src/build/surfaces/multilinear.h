@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Patches that are straight along every axis.
+// Multilinear patches, which are straight along every axis.
 #pragma once
 
 #include "base/records.h"
@@ -11,9 +11,9 @@ namespace nrb::build {
 // Status::point_not_finite.
 SplinePtr multilinear(int axes, const ConstRecords &corners);
 
-// origin + s u + t v, with corners rounded once; origin may be null. Throws Status::dimension and
-// point_not_finite; direction for sides that are 0, not finite or, to within 4 eps of the angle's sine,
-// parallel; not_representable.
+// The parallelogram origin + s u + t v, whose corners are rounded once; a null origin is 0. Throws
+// Status::dimension, point_not_finite, not_representable, and direction for a side that is 0 or not finite,
+// or for sides with an angle whose sine is at most 4 eps.
 SplinePtr parallelogram(int dim, const double *origin, const double *u, const double *v);
 
 } // namespace nrb::build

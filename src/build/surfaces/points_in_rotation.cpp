@@ -25,7 +25,7 @@ HWY_INLINE Number loaded(const double *parts, int64_t stride, int64_t which) {
     return {hn::LoadU(d, parts + 2 * which * stride), hn::LoadU(d, parts + (2 * which + 1) * stride)};
 }
 
-// The sums carry their rounding errors along, as numeric/sum.h does.
+// Compensated sums, as in numeric/sum.h.
 void rotated_values(const double *parts, int64_t stride, int64_t size, double at_x, double at_y,
                     double *out) {
     const Lanes d;
@@ -49,8 +49,8 @@ void rotated_values(const double *parts, int64_t stride, int64_t size, double at
     }
 }
 
-// The constructor is written out, because a constructor added by the compiler is not compiled for the
-// instruction set.
+// The constructor is written out because one that the compiler adds would not be compiled for the instruction
+// set.
 struct Point {
     Register high[3];
     Register low[3];
@@ -79,7 +79,7 @@ HWY_INLINE Number broadcast(const DoubleDouble &x) {
     return {hn::Set(d, x.high), hn::Set(d, x.low)};
 }
 
-// Computed from whole vectors of records, of width 3 or 4.
+// Foot, d and e of every record, of width 3 or 4. Reads and writes whole vectors of records.
 void radii(const double *points, int64_t records, int width, const AxisLine &axis, double *const *out) {
     const Lanes d;
     const Register zero = hn::Zero(d);
@@ -124,7 +124,7 @@ NURBS_FORMS(radii);
 
 namespace {
 
-constexpr int64_t lanes = 8; // the most lanes that a vector has
+constexpr int64_t lanes = 8; // largest number of lanes of a vector
 
 int64_t whole_vectors(int64_t n) noexcept {
     return (n + lanes - 1) / lanes * lanes;

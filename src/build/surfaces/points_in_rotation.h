@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points that rotate about an axis.
+// Many points rotated about an axis together.
 #pragma once
 
 #include "numeric/double_double.h"
@@ -18,19 +18,20 @@ struct AxisLine {
     std::array<DoubleDouble, 3> along;
 };
 
-// For many coordinates the values foot + x d + y e, each rounded once; foot, d and e are kept in twice the
-// precision. Without fused multiplication in the processor, coordinates above 2^990 become NaN.
+// Computes foot + x d + y e for many coordinates, each rounded once; foot, d and e are kept in double-double
+// precision. On processors without fused multiply-add, coordinates above 2^990 become NaN.
 class PointsInRotation {
 public:
     explicit PointsInRotation(int64_t coordinates);
-    // The coordinates of the stored points of a spline of dimension 3. The foot is the nearest point on the
-    // axis Z, d is the vector from the foot to the point, and e = Z x d. Weights of homogeneous records stay,
-    // and their feet are multiplied by them.
+    // The coordinates of the stored points of a spline of dimension 3. With Z the unit vector of the axis,
+    // the foot is the point of the axis nearest to the control point, d is the vector from the foot to the
+    // control point, and e = Z x d. In homogeneous records all three are multiplied by the weight, and the
+    // weight itself does not change.
     PointsInRotation(const Spline &spline, const AxisLine &axis);
 
     void set(int64_t coordinate, const DoubleDouble &foot, const DoubleDouble &d,
              const DoubleDouble &e) noexcept;
-    // All coordinates, in their order.
+    // The values of all coordinates, in their order.
     void values(double x, double y, double *out) const noexcept;
 
 private:
@@ -38,7 +39,7 @@ private:
     [[nodiscard]] std::array<double *, parts> arrays() noexcept;
 
     int64_t size_;
-    int64_t stride_; // between the parts: whole vectors
+    int64_t stride_; // between the parts; a multiple of the vector length
     std::vector<double> data_;
 };
 

@@ -13,7 +13,7 @@ namespace nrb::build {
 
 namespace {
 
-// The place on a hyperbola at a height, without cancellation near the vertex.
+// The radius of the hyperbola at a height, without cancellation near the vertex.
 double radius_at(double height, double size, bool two_sheets) noexcept {
     const double far = std::fabs(height);
     return two_sheets ? std::sqrt((far - size) / size) * std::sqrt(far / size + 1)
@@ -28,7 +28,7 @@ double height_at(double u, bool two_sheets) noexcept {
     return two_sheets ? std::copysign(std::cosh(u), u) : std::sinh(u);
 }
 
-// Heights of the ends of all pieces.
+// The heights at the ends of all pieces.
 std::vector<double> piece_ends(double size, double bottom, double top, bool two_sheets) {
     const double from = parameter_at(bottom / size, two_sheets), to = parameter_at(top / size, two_sheets);
     if (!std::isfinite(from) || !std::isfinite(to)) {

@@ -10,10 +10,10 @@
 
 namespace nrb::build {
 
-// As nurbs.h describes them: arcs in one of the arc_ forms as axis 0, over `turn`. All throw Status::length,
-// naming the argument, form, not_representable.
+// The surfaces that nurbs.h describes. Axis 0 is the arc over `turn`, in one of the arc_ forms. All throw
+// Status::form, not_representable, and Status::length, naming the argument.
 
-// Latitudes from south to north. Throws Status::angle.
+// Between the latitudes south and north. Throws Status::angle as well.
 SplinePtr spherical_patch(const Placement &place, double radius, const Turn &turn, double south, double north,
                           int32_t form);
 SplinePtr ellipsoid(const Placement &place, double radius_x, double radius_y, double radius_z, int32_t form);

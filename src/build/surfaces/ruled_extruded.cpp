@@ -32,7 +32,8 @@ std::vector<double> interleaved(std::span<const double> a, std::span<const doubl
     return both;
 }
 
-// A copy of the points, each moved by a vector; homogeneous points are moved by their weight times it.
+// A copy of the points, each moved by a vector; homogeneous records are moved by their weight times the
+// vector.
 std::vector<double> moved_points(const Spline &spline, const double *vector) {
     std::vector<double> points(spline.points().begin(), spline.points().end());
     const int dim = spline.dim(), width = spline.stored_width();
@@ -75,7 +76,8 @@ SplinePtr ruled_homogeneous(const SplinePtr &a, const SplinePtr &b) {
 
 namespace {
 
-// The direction out of the plane, (0, 0, 1), is read as (0, 0) if g lies in the plane.
+// Explains a frequent mistake: the direction (0, 0, 1), out of the plane, is read as (0, 0) if g lies in the
+// plane.
 void check_way(const double *vector, int dim) {
     if (dim < 3 && std::all_of(vector, vector + dim, [](double x) { return x == 0; })) {
         fail(Status::direction,
@@ -104,7 +106,7 @@ SplinePtr ruled(const SplinePtr &a, const SplinePtr &b, bool cartesian) {
     if (a->dim() != b->dim()) {
         fail(Status::dimension, "dimension %d of b, expected %d as of a", b->dim(), a->dim());
     }
-    // Weights that differ only by a factor make no difference to Cartesian points.
+    // A common factor of the weights makes no difference to Cartesian points.
     const std::array<SplinePtr, 2> both = {cartesian ? refine::normalize_weights(a) : a,
                                            cartesian ? refine::normalize_weights(b) : b};
     const std::vector<SplinePtr> same = reduce::make_compatible(both, 0, true).splines;

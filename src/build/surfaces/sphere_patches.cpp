@@ -20,7 +20,7 @@ struct NetPoint {
     double weight;
 };
 
-// Control points (i, j), i <= j <= 2, of the face +Z with the signs of x and y left out; r = sqrt(3).
+// Control points (i, j), i <= j <= 2, of the face +Z, without the signs of x and y; r = sqrt(3).
 constexpr NetPoint corner = {0.57735026918962576451, 0.57735026918962576451, 0.57735026918962576451,
                              1.2679491924311227065};          // 1 / r, 3 - r
 constexpr NetPoint edge = {0.70958730763864230153,            // (4 - r) / (3 r - 2)
@@ -81,7 +81,7 @@ SplinePtr upper_half(const SplinePtr &face) {
                        {half->weights().begin(), half->weights().end()});
 }
 
-// Which coordinates of the face +Z, with sign and counted from 1, are x, y and z on a face.
+// For each face, which coordinates of the face +Z are its x, y and z, counted from 1 and with sign.
 using Orientation = std::array<int, 3>;
 constexpr std::array<Orientation, 6> faces = {
     {{3, 1, 2}, {-1, 3, 2}, {-3, -1, 2}, {1, -3, 2}, {1, 2, 3}, {1, -2, -3}}};

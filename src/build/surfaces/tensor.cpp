@@ -14,7 +14,7 @@ namespace nrb::build {
 
 namespace {
 
-// The net of a result while it is filled.
+// The operands of a tensor product, and the dimension and form of its net.
 struct Outer {
     const Spline &a;
     const Spline &b;
@@ -39,8 +39,9 @@ void check_axes(const Spline &a, const Spline &b) {
     }
 }
 
-// Coordinates (and, for homogeneous results, the weight after them) by form(x, w, y, v, out), which is linear
-// in the record (x, w) of a and in the record (y, v) of b; Cartesian points have w = v = 1.
+// The control points of the result. form(x, w, y, v, out) computes their coordinates; it is linear in the
+// record (x, w) of a and in the record (y, v) of b, where w = v = 1 for Cartesian points. Homogeneous results
+// have the weight w v after the coordinates.
 template <class CoordinateForm>
 std::vector<double> outer_points(const Outer &outer, const CoordinateForm &form) {
     const bool homogeneous = outer.form == Form::homogeneous;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces and volumes made of two splines over the axes of both.
+// Tensor products of two splines: surfaces and volumes over the axes of both.
 #pragma once
 
 #include "spline/spline.h"
@@ -7,17 +7,19 @@
 namespace nrb::build {
 
 // Control point (i, j) is a function of control point i of a and control point j of b. The axes of b follow
-// those of a, and weights are multiplied. Control points are Cartesian if those of a and b are: each is
-// within 3 eps / 2 of the sum of the magnitudes of its terms. All throw Status::axes, dimension, overflow,
-// not_representable, weights_vanish. Cost: linear in the points of the result.
+// those of a, and weights are multiplied. If a and b have Cartesian control points, so has the result, and
+// each is accurate to 3 eps / 2 times the sum of the magnitudes of its terms. All functions throw
+// Status::axes, dimension, overflow, not_representable, weights_vanish. Cost: linear in the points of the
+// result.
 
 // alpha a(u) + beta b(v). Precondition: alpha and beta are finite.
 SplinePtr tensor_sum(const Spline &a, double alpha, const Spline &b, double beta);
 
-// a(u) b(v) by components; one of dimension 1 multiplies all components of the other.
+// a(u) b(v), component by component; a spline of dimension 1 multiplies all components of the other one.
 SplinePtr tensor_product(const Spline &a, const Spline &b);
 
-// (scale r(v) x(u), scale r(v) y(u), z(v)) for curves (x, y) and (r, z). Throws Status::factor.
+// The swung surface (scale r(v) x(u), scale r(v) y(u), z(v)) of the curves (x, y) and (r, z). Throws
+// Status::factor.
 SplinePtr swung(const Spline &trajectory, const Spline &profile, double scale);
 
 } // namespace nrb::build

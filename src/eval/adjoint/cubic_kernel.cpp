@@ -11,9 +11,10 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// Cubic curves in space. A block is treated in three passes, so that no parameter waits for the divisions and the
-// sums across lanes of another one: the sums of each parameter; q, h and the slope of each; the sums of the control
-// points. While parameters stay in a span its data and its sums stay in registers.
+// The sums of the gradients for cubic curves in space, with the symbols of net_kernel.h. A block is computed
+// in three passes, so that no parameter waits for the divisions and the sums across lanes of another one: the
+// sums of each parameter; q, h and the slope of each; the sums for the control points. As long as consecutive
+// parameters share a span, its data and its sums stay in registers.
 template <bool kRational, bool kProducts>
 class CubicKernel {
 public:
@@ -36,7 +37,7 @@ public:
 private:
     static constexpr int parts = 4 / vec4_lanes;
 
-    // Four numbers.
+    // Four numbers, one for each active control point, in one vector or more.
     struct Quad {
         Vector values[parts];
 
@@ -57,7 +58,8 @@ private:
             }
         }
     };
-    // The sum of both parts, lane by lane, added to 0 or a product.
+    // The sum of the vectors of a quad, or of the products of two quads, lane by lane. It begins with 0 or
+    // with a product added to 0.
     static HWY_INLINE Vector lanes_of(const Quad &a) {
         auto sum = hn::Add(hn::Zero(Vec4()), a.values[0]);
         for (int part = 1; part < parts; ++part) {
@@ -85,7 +87,8 @@ private:
         }
     }
 
-    // The weights of the active control points, and their places relative to the first one.
+    // The weights of the active control points, and their positions relative to P, the first of them, by
+    // coordinates.
     struct Active {
         Quad weights;
         Quad offsets[3];
@@ -104,7 +107,8 @@ private:
         }
     };
 
-    // visit(i, first control point of its span) returns the next parameter that it leaves; not of those that give NaN.
+    // Calls visit(i, first) for each run of consecutive parameters with the same first active control point,
+    // `first`. visit returns the first parameter after the run. Parameters that give NaN are skipped.
     template <class Visit>
     HWY_INLINE void for_each_run(Visit &&visit) const {
         for (int64_t i = first_; i < end_;) {
@@ -117,7 +121,8 @@ private:
 
     [[nodiscard]] HWY_INLINE const double *values(int64_t i) const { return values_ + i * values_size_; }
 
-    // <P_i - P, g>, and the sums of N_i w_i, N_i w_i <P_i - P, g> and of the same with derivatives.
+    // Computes d_i = <P_i - P, g> for each active control point, and the sums of N_i w_i and N_i w_i d_i, and
+    // of the same with N_i' for N_i.
     HWY_NOINLINE void sum_products() {
         const ConstRecords cotangents = cotangents_;
         const bool slopes = job_.slopes != nullptr;
@@ -141,7 +146,7 @@ private:
             return i;
         });
     }
-    // Those of products, and of weights if there are any.
+    // Adds up the lanes: the sums with d_i and, if the spline is rational, the sums of weights.
     static HWY_INLINE void store_sums(Vector products, Vector slopes, const Quad &functions,
                                       const Quad &derivatives, double *HWY_RESTRICT out) {
         if constexpr (kRational) {
@@ -156,7 +161,7 @@ private:
         return kRational ? times(functions, active.weights) : functions;
     }
 
-    // q, h, and the slopes q (sum of N_i' w_i (d_i - h)).
+    // Computes q, h and the slopes q (sum of N_i' w_i (d_i - h)).
     HWY_NOINLINE void finish() {
         for (int64_t i = first_; i < end_; ++i) {
             if (points_[i].valid()) {
@@ -171,6 +176,7 @@ private:
         }
     }
 
+    // Computes q = 1 / (sum of N_i w_i) for each parameter, if no d_i are needed.
     HWY_NOINLINE void sum_weights() {
         for_each_run([&](int64_t i, int64_t start) HWY_ATTR {
             const Quad weights(arrays_.weights + start);
@@ -196,6 +202,7 @@ private:
 
         HWY_INLINE Sums() {}
     };
+    // Adds the contributions of all parameters to the gradients of the control points.
     HWY_NOINLINE void add() {
         const ConstRecords cotangents = cotangents_;
         const double *const values = values_;
@@ -255,7 +262,7 @@ private:
     int64_t values_size_;
     int64_t first_;
     int64_t end_;
-    alignas(64) double products_[4 * (axis_block_size + 4)]; // <P_i - P, g>, or N_i w_i
+    alignas(64) double products_[4 * (axis_block_size + 4)]; // d_i, or N_i w_i
     alignas(64) double sums_[4 * (axis_block_size + 4)];
     double inverses_[axis_block_size + 4]; // q
     double means_[axis_block_size];        // h

@@ -13,8 +13,9 @@ namespace nrb::eval {
 
 namespace {
 
-// The sums over the active points transposed give X_i = dL/d(w_i P_i) and Y_i = -dL/dw_i at fixed w_i P_i,
-// hence dL/dP_i = w_i X_i and dL/dw_i = <P_i, X_i> - Y_i.
+// The adjoint for derivatives of any order. The transposed sums over the active control points give X_i =
+// dL/d(w_i P_i) and Y_i = -dL/dw_i at fixed w_i P_i. Hence dL/dP_i = w_i X_i and, at fixed P_i, dL/dw_i =
+// <P_i, X_i> - Y_i.
 class DerivativesAdjoint final : public BlockSink {
 public:
     DerivativesAdjoint(const Cotangents &from, const Gradients &gradients)
@@ -49,8 +50,8 @@ public:
     }
 
 private:
-    // Derivatives are those of nurbs_eval_derivs(); the products of weights need points relative to the
-    // origin of the moved spline.
+    // The sink receives the derivatives that nurbs_eval_derivs() returns, with points of the stored spline.
+    // Gradients of weights need points relative to the origin of the moved spline instead.
     void find_local_points() {
         if (weighted_ && &spline_ != &from_.spline) {
             const int dim = spline_.dim();
@@ -63,6 +64,7 @@ private:
         return local_points_.empty() ? nullptr : local_points_.data() + i * spline_.dim();
     }
 
+    // Clears the outputs unless gradients are accumulated. Nothing fails after this.
     void start() const noexcept {
         if (!from_.accumulate) {
             clear(gradients_.points);
@@ -80,6 +82,7 @@ private:
         return valid;
     }
 
+    // Adds <cotangents, derivatives one order higher along axis k> to the gradient of parameter (i, k).
     void add_to_params(int64_t i, ConstRecords derivs, int64_t row) const noexcept {
         for (int k = 0; k < spline_.axes() && gradients_.params.data != nullptr; ++k) {
             if (!clamped(from_, i, k) || !has_value(i)) {
@@ -111,6 +114,7 @@ private:
         }
     }
 
+    // Adds the contributions of one parameter to the gradients of its active control points.
     void scatter(const double *window) const noexcept {
         const Records &points = gradients_.points;
         const int dim = spline_.dim();
@@ -139,13 +143,13 @@ private:
     }
 
     Cotangents from_;
-    const Spline &spline_; // at the origin: a gradient does not depend on where the shape lies
+    const Spline &spline_; // moved to the origin: gradients do not depend on the position
     Gradients gradients_;
     bool weighted_;
     ActivePoints active_;
     HomogeneousCotangents homogeneous_;
     Spread spread_;
-    std::vector<double> local_points_; // of the moved spline, empty if it is the stored one
+    std::vector<double> local_points_; // of the moved spline; empty if it is the stored one
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The quotient rule in reverse, at one parameter.
+// The adjoint of the quotient rule at one parameter: from cotangents of Cartesian derivatives to those of
+// homogeneous ones.
 #pragma once
 
 #include "eval/active_points.h"
@@ -10,7 +11,7 @@
 
 namespace nrb::eval {
 
-// `order` on every axis of a spline.
+// The orders of derivatives that are `order` on every axis of the spline.
 inline Orders highest_orders(const Spline &spline, int order) noexcept {
     Orders orders{};
     std::fill_n(orders.begin(), spline.axes(), order);
@@ -21,23 +22,24 @@ inline Orders highest_orders(const Spline &spline, int order) noexcept {
 struct PointDerivs {
     ConstRecords values; // record `row`: [slots][dim]
     int64_t row = 0;
-    const double *point = nullptr; // [dim]: takes the place of the point in `values`, if not null
+    const double *point = nullptr; // [dim]: used instead of the point in `values`, unless null
 
     [[nodiscard]] double operator()(int64_t slot, int dim, int c) const noexcept {
         return slot == 0 && point != nullptr ? point[c] : values(row, slot * dim + c);
     }
 };
 
-// A point and its derivatives up to `order` come from the homogeneous ones A^(b) = sum of N_i^(b) w_i P_i and
-// w^(b) = sum of N_i^(b) w_i by the quotient rule. In reverse, with q = 1 / w(t) and cotangents g_s:
+// A point and its derivatives up to `order` are made from the homogeneous derivatives A^(b) = sum of N_i^(b)
+// w_i P_i and w^(b) = sum of N_i^(b) w_i by the quotient rule. With q = 1 / w(t) and the cotangents g_s of
+// the Cartesian derivatives C^(s), the adjoint of this rule is
 //   dL/dA^(b) = sum over s >= b of binomial(s, b) q^(s-b) g_s,
 //   dL/dw^(b) = -(sum over s >= b of binomial(s, b) q^(s-b) h_s),
 //   h_b       = sum over s >= b of binomial(s, b) <g_s, C^(s-b)>,
 // because dC = q (dA - C dw), differentiated by Leibniz' rule.
 class HomogeneousCotangents {
 public:
-    // Cotangents: [count][slots][dim]. With `weighted` those of w^(b) are wanted, too. All references are
-    // kept; the active points have derivatives up to `order` on every axis.
+    // Cotangents: [count][slots][dim]. With `weighted` the cotangents of w^(b) are wanted, too. All
+    // references are kept. The active points must offer derivatives up to `order` on every axis.
     HomogeneousCotangents(const Spline &spline, const ActivePoints &active, int order,
                           ConstRecords cotangents, bool weighted)
         : spline_(spline), active_(active), order_(order), cotangents_(cotangents), weighted_(weighted),
@@ -47,8 +49,9 @@ public:
 
     [[nodiscard]] int64_t width() const noexcept { return width_; }
 
-    // [slots][width]: dL/dA^(b), and -dL/dw^(b) if weights are wanted; valid until the next call. The active
-    // points are those of parameter i; only weights need the derivatives.
+    // Returns [slots][width]: dL/dA^(b) and, if weights are wanted, -dL/dw^(b); valid until the next call.
+    // Precondition: the active points are at parameter i. The derivatives are read only if weights are
+    // wanted.
     const double *operator()(int64_t i, const PointDerivs &derivs) noexcept {
         if (weighted_) {
             find_products(i, derivs);
@@ -75,7 +78,7 @@ private:
         return sum;
     }
 
-    // h_b for all slots b.
+    // Computes h_b for all slots b.
     void find_products(int64_t i, const PointDerivs &derivs) noexcept {
         const int axes = spline_.axes();
         std::fill(products_.begin(), products_.end(), 0.0);
@@ -110,7 +113,7 @@ private:
         });
     }
 
-    // Weights of 1 need no division.
+    // For a polynomial spline, where all weights are 1: no division is needed.
     void copy(int64_t i) noexcept {
         double *out = result_.data();
         for (int64_t s = 0; s < std::ssize(products_); ++s) {

@@ -14,12 +14,13 @@ namespace nrb::eval {
 
 namespace {
 
-// Of a B-spline A = sum of A_i N_i along an axis, with the span s of the parameter and n_j the functions over
-// the knots with t_k once more (D. Jupp, "Approximation to data by splines with free knots", SIAM J. Numer.
-// Anal. 15 (1978)):
+// The adjoint of evaluation with respect to the knots of one axis. Let A = sum of A_i N_i be a B-spline along
+// the axis, s the span of the parameter, and n_i the basis functions over the knots into which t_k was
+// inserted once more. Then (D. Jupp, "Approximation to data by splines with free knots", SIAM J. Numer. Anal.
+// 15 (1978))
 //   dA/dt_k = -(sum over i = k - p, ..., k of (A_i - A_(i-1)) / (t_(i+p) - t_i) n_i).
-// On the span only i = s - p + 1, ..., s have functions; t_i <= t_s < t_(s+1) <= t_(i+p), so that no length
-// is 0, whatever the multiplicities.
+// On the span only the terms i = s - p + 1, ..., s differ from 0. For these t_i <= t_s < t_(s+1) <= t_(i+p),
+// so that no divisor is 0, whatever the multiplicities of the knots.
 class KnotAdjoint final : public BlockSink {
 public:
     KnotAdjoint(const Spline &stored, int axis, const AxisRules &rules, int order, ConstRecords params,
@@ -32,7 +33,8 @@ public:
           window_(2 * static_cast<size_t>(degree_) + 1) {}
     virtual ~KnotAdjoint() = default;
 
-    // Only the quotient rule needs points, relative to the origin of the moved spline, and derivatives.
+    // Points, relative to the origin of the moved spline, and derivatives are needed for the quotient rule
+    // only.
     void run() {
         if (params_.count > 0 && spline_.rational()) {
             return evaluate_points(spline_, rules_, order_, params_, *this);
@@ -63,6 +65,7 @@ private:
         }
     }
 
+    // Adds the contributions of parameter i.
     void add(int64_t i, const PointDerivs &derivs) noexcept {
         if (degree_ == 0 || !active_.locate(params_, i)) {
             return;
@@ -75,8 +78,8 @@ private:
         }
     }
 
-    // slopes_[a][j], j = 1, ..., p: the products of the cotangents with (A_i - A_(i-1)) / (t_(i+p) - t_i) for
-    // layer i = s - p + j, summed over the derivatives that are of order a along the axis.
+    // Computes slopes_[a][j], j = 1, ..., p: the products of the cotangents with (A_i - A_(i-1)) / (t_(i+p) -
+    // t_i) for layer i = s - p + j, summed over all derivatives whose order along the axis is a.
     void find_slopes(const double *cotangents) noexcept {
         std::fill(slopes_.begin(), slopes_.end(), 0.0);
         for_each_slot(spline_.axes(), order_, [&](int x, int y, int z) {
@@ -101,7 +104,7 @@ private:
             advance(place);
         });
     }
-    // The product of the functions of the other axes.
+    // The product of the functions of the other axes at an active control point.
     [[nodiscard]] double factor(const Orders &orders, const std::array<int, max_axes> &place) const noexcept {
         double product = 1;
         for (size_t k = 0; k < max_axes; ++k) {
@@ -109,7 +112,7 @@ private:
         }
         return product;
     }
-    // To the next active point, the last axis fastest.
+    // Advances to the next active control point, the last axis fastest.
     void advance(std::array<int, max_axes> &place) const noexcept {
         for (size_t k = max_axes; k-- > 0;) {
             if (++place[k] <= active_.degree(k)) {
@@ -118,7 +121,7 @@ private:
             place[k] = 0;
         }
     }
-    // <cotangent, A_i - A_(i-1)> of a control point.
+    // <cotangent, A_i - A_(i-1)> for control point i and its predecessor along the axis.
     [[nodiscard]] double difference(int64_t point, const double *cotangent) const noexcept {
         double sum = 0;
         for (int c = 0; c < spline_.dim(); ++c) {
@@ -134,8 +137,8 @@ private:
         return spline_.form() == Form::rational ? spline_.weight(point) * stored : stored;
     }
 
-    // The sum of the slopes that t_k has, times the functions over the knots with t_k once more. Its span
-    // comes one place later if t_k stands before it.
+    // The sum over i of slope i times n_i and its derivatives, for the knot t_k. If t_k precedes the
+    // parameter, the inserted copy shifts the span by one.
     [[nodiscard]] double sum_of_knot(int64_t k, int64_t span, double t) noexcept {
         const int64_t first = span - degree_ + (k <= span ? 1 : 0); // the first of p + 1 functions
         for (int64_t j = 0; j <= 2 * degree_; ++j) {
@@ -153,7 +156,7 @@ private:
         return sum;
     }
 
-    const Spline &spline_; // at the origin: a gradient does not depend on where the shape lies
+    const Spline &spline_; // moved to the origin: gradients do not depend on the position
     size_t axis_;
     const KnotVector &knots_;
     int degree_;
@@ -164,10 +167,10 @@ private:
     Records grad_knots_;
     ActivePoints active_;
     HomogeneousCotangents homogeneous_;
-    int64_t stride_;                // from a control point to its neighbour along the axis
+    int64_t stride_;                // between neighbouring control points along the axis
     std::vector<double> slopes_;    // [order + 1][p + 1]
     std::vector<double> functions_; // [order + 1][p + 1]
-    std::vector<double> window_;    // the knots that functions_ needs
+    std::vector<double> window_;    // the knots that functions_ depends on
 };
 
 } // namespace

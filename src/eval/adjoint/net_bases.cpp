@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The kernel that computes the basis functions of a block of parameters for the gradients of a net.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/adjoint/net_bases.cpp"
 #include "base/dispatch.h"
@@ -12,7 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// A function that is alone is exactly 1, and the others are 0.
+// At parameters where one function is 1 and all others are 0, replaces the computed values by these exact
+// ones.
 static HWY_NOINLINE void mend_alone(const AxisSource &source, const AxisPoint *points, int64_t count,
                                     int64_t size, double *values) {
     for (int64_t i = 0; i < count; ++i) {

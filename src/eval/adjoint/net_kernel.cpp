@@ -14,12 +14,12 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// A vector of the space with each component in all lanes. The constructors are written out, because one added
-// by the compiler is not compiled for the instruction set.
+// A vector in the space of the control points, with each component in all lanes. The constructor is written
+// out, because one added by the compiler would not be compiled for the instruction set.
 template <int kDim>
 struct Spread {
     Vector components[kDim < 0 ? 1 : kDim];
-    double *memory; // of `dim` components, for any dimension
+    double *memory; // [dim], used if kDim < 0
     int dim;
 
     HWY_INLINE Spread(const double *from, int64_t stride, int dimension, double *work)
@@ -41,14 +41,16 @@ struct Spread {
     }
 };
 
-// What the functions of the axes before the last one give to a row: their product, and its derivatives.
+// The factor that the functions of the axes before the last one contribute to a row of control points, and
+// its derivatives along these axes.
 struct RowFactors {
     double value = 1;
     double slopes[max_axes - 1] = {};
 };
 
-// kAxes, kDim and kFunctions (on the last axis) below 0 stand for any number. With kProducts gradients of weights
-// or of parameters are wanted, too.
+// The general kernel. kAxes, kDim and kFunctions (the number of functions on the last axis) stand for any
+// number if they are negative. kProducts: gradients of weights or of parameters are wanted, which need the
+// products d_i.
 template <int kAxes, int kDim, int kFunctions, bool kRational, bool kProducts>
 class NetKernel {
 public:
@@ -67,7 +69,7 @@ public:
 private:
     using Space = Spread<kDim>;
 
-    // The last axis.
+    // The index of the last axis.
     [[nodiscard]] HWY_INLINE size_t last() const {
         return static_cast<size_t>(kAxes < 0 ? job_.axes : kAxes) - 1;
     }
@@ -93,8 +95,9 @@ private:
         return job_.values[k] + i * orders_ * job_.sources[k].lanes;
     }
 
-    // One parameter with its cotangent g. Products are those with P_i - P, where P is an active point: so neither
-    // they nor the sums of derivatives, in which P cancels, depend on where the shape lies.
+    // One parameter with its cotangent g. The products are d_i = <P_i - P, g>, where P is an active control
+    // point. So neither they nor the sums of derivatives, in which P cancels, depend on the position of the
+    // shape.
     struct Place {
         int64_t i;
         int64_t start;
@@ -113,7 +116,8 @@ private:
                    kProducts ? kernel.arrays_.size : 0, kernel.dim(), kernel.job_.work + kernel.dim()) {}
     };
 
-    // P is the first active point, unless that may hardly count and lie anywhere: then the one that counts most.
+    // P is the first active control point. Where weights are uneven, that one may have hardly any influence
+    // and lie anywhere; then P is the active control point with the largest |w_i N_i|.
     [[nodiscard]] HWY_INLINE int64_t base_of(int64_t i, int64_t start) const {
         return kRational && !job_.even ? heaviest(i, start) : start;
     }
@@ -143,7 +147,7 @@ private:
         });
     }
 
-    // visit(factors, first control point of the row)
+    // Calls visit(factors, first control point) for each active row along the last axis.
     template <class Visit>
     HWY_INLINE void for_each_row(int64_t i, int64_t row, Visit &&visit) const {
         if (last() == 0) {
@@ -166,7 +170,7 @@ private:
         }
     }
 
-    // Sums of N_i w_i and N_i w_i <P_i - P, g>, and of the same with derivatives along each axis.
+    // The sums of N_i w_i and N_i w_i d_i, and of the same with derivatives of N_i along each axis.
     struct Totals {
         Vector weight = hn::Zero(Vec4()), product = hn::Zero(Vec4());
         static constexpr size_t axes = kAxes < 0 ? max_axes : static_cast<size_t>(kAxes);
@@ -179,7 +183,7 @@ private:
         }
     };
 
-    // 1 / w and h, and the slopes: q (sum of N_i' w_i (d_i - h)).
+    // Computes q = 1 / w, h, and the slopes q (sum of N_i' w_i (d_i - h)).
     template <class Sum>
     HWY_INLINE void finish_sums(Place &place, Sum &&sum) const {
         if constexpr (kRational || kProducts) {
@@ -236,7 +240,7 @@ private:
         }
     }
 
-    // <P_i - P, g>
+    // d_i = <P_i - P, g> for a vector of control points.
     [[nodiscard]] HWY_INLINE Vector product_of(const Place &place, int64_t at) const {
         const Vec4 d;
         auto sum = hn::Zero(d);
@@ -247,7 +251,7 @@ private:
         return sum;
     }
 
-    // The lanes from l on that have functions; the others of `old`.
+    // `value` in the lanes of functions l, l + 1, ... that exist, `old` in the others.
     [[nodiscard]] HWY_INLINE Vector masked(int l, Vector value, Vector old) const {
         const int left = functions() - l;
         if (kFunctions == 4 || left >= vec4_lanes) {
@@ -304,7 +308,7 @@ HWY_INLINE void run_kernel(const NetJob &job, const ConstRecords &cotangents, in
     }
 }
 
-// The most frequent shapes have loops of their own; what they compute is the same.
+// The most frequent shapes have loops of their own, with the same results.
 void add_cotangents(const NetJob &job, const ConstRecords &cotangents, int64_t first, int64_t count) {
     const bool cubic = job.dim == 3 && job.sources[job.axes - 1].degree == 3;
     if (cubic && job.axes == 1) {

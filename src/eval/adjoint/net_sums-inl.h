@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the kernels of the gradients of a net share. Included once for every instruction set: see base/simd.h.
+// What the kernels of net_kernel.h share: the arrays, and sums across lanes. Included once for every
+// instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_ADJOINT_NET_SUMS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_ADJOINT_NET_SUMS_INL_H_
 #undef NURBS_EVAL_ADJOINT_NET_SUMS_INL_H_
@@ -16,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 using Vector = hn::Vec<Vec4>;
 
-// The arrays of a job, in registers where there are enough.
+// The arrays of a job, kept in registers if there are enough.
 struct NetArrays {
     explicit NetArrays(const NetJob &job)
         : size(job.size), weights(job.weights), coordinates(job.coordinates), grad_points(job.grad_points),
@@ -40,7 +41,7 @@ struct Pair {
     double first;
     double second;
 };
-// The sums of the lanes of two vectors.
+// The sum of the lanes of each of two vectors.
 HWY_INLINE Pair sums_of(Vector a, Vector b) {
 #if HWY_MAX_BYTES >= 32
     const hn::CappedTag<double, 2> half;
@@ -52,7 +53,7 @@ HWY_INLINE Pair sums_of(Vector a, Vector b) {
 #endif
 }
 
-// The same sums, of four vectors.
+// The sum of the lanes of each of four vectors, with the bits of sums_of().
 HWY_INLINE void sums_of_four(Vector a, Vector b, Vector c, Vector e, double *HWY_RESTRICT out) {
 #if HWY_MAX_BYTES >= 32
     const Vec4 d;

@@ -11,8 +11,9 @@ namespace nrb::eval {
 
 namespace {
 
-// The sums are made in arrays of the kernel's own, over all control points or, where a batch reaches few of
-// them, over the active ones of each parameter in turn. The sums are the same.
+// The adjoint for points. The gradients are added up in arrays of the kernel's own: over the whole net or, if
+// a batch reaches only few of its control points, over the active ones of one parameter after the other. Both
+// give the same bits.
 class PointsAdjoint {
 public:
     PointsAdjoint(const Cotangents &from, const Gradients &out)
@@ -106,7 +107,7 @@ private:
         }
     }
 
-    // What control point `point` has, at place `at` of the arrays.
+    // Loads the data of control point `point` to index `at` of the arrays.
     void load(int64_t point, int64_t at) noexcept {
         for (int c = 0; from_.accumulate && job_.grad_points != nullptr && c < job_.dim; ++c) {
             job_.grad_points[c * job_.size + at] = out_.points(point, c);
@@ -155,7 +156,8 @@ private:
             }
         }
     }
-    // Nothing depends on parameters that were moved to an end; others that give NaN have NaN.
+    // Adds the slopes after correcting them: 0 for parameters that were moved to an end of the domain, NaN
+    // for all parameters of a point that gives NaN.
     void add_each_slope(int64_t first, int64_t count) noexcept {
         for (int64_t i = 0; i < count; ++i) {
             const bool valid = has_value(i);
@@ -176,7 +178,8 @@ private:
         return valid;
     }
 
-    // visit(control point, its place among the active ones), none for a parameter that gives NaN.
+    // Calls visit(control point, its index among the active ones) for all active control points of parameter
+    // i; for none if the parameter gives NaN.
     template <class Visit>
     void for_each_active(int64_t i, Visit &&visit) const {
         if (!has_value(i)) {
@@ -197,8 +200,8 @@ private:
     Cotangents from_;
     Gradients out_;
     bool rational_;
-    bool clamps_; // some parameters may be moved to an end
-    int order_;   // of the functions
+    bool clamps_; // parameters may have been moved to an end
+    int order_;   // of derivatives of the basis functions
     int64_t uses_;
     AxisSources sources_;
     Scratch scratch_;

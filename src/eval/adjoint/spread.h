@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tensor product transposed: from cotangents of derivatives to those of the active control points.
+// The adjoint (transpose) of the tensor product: from cotangents of derivatives to those of the active
+// control points.
 #pragma once
 
 #include "eval/active_points.h"
@@ -8,12 +9,13 @@
 
 namespace nrb::eval {
 
-// sum over the slots b of N_i^(b) g_b for every active point i, one axis after the other, the last one first:
-// the steps of evaluation in reverse.
+// Computes sum over the slots b of N_i^(b) g_b for every active control point i, where g_b is the cotangent
+// of derivative b. The axes are expanded one after the other, the last one first: the steps of evaluation in
+// reverse order.
 class Spread {
 public:
-    // `width`: components of a cotangent. The active points must outlive the object and have derivatives up
-    // to `order` on every axis.
+    // `width`: the number of components of a cotangent. The active points must outlive the object and offer
+    // derivatives up to `order` on every axis.
     Spread(const ActivePoints &active, int axes, int order, int64_t width)
         : active_(active), axes_(axes), order_(order) {
         lengths_[static_cast<size_t>(axes)] = width;
@@ -24,7 +26,7 @@ public:
         }
     }
 
-    // cotangents: [slots][width]; the result: [active.size()][width], valid until the next call.
+    // cotangents: [slots][width]. Returns [active.size()][width], valid until the next call.
     const double *operator()(const double *cotangents) noexcept {
         const double *in = cotangents;
         for (int k = axes_ - 1; k >= 0; --k) {
@@ -35,7 +37,7 @@ public:
     }
 
 private:
-    // Number of derivatives with respect to the axes before k.
+    // The number of derivatives with respect to the axes before k.
     [[nodiscard]] int64_t before(int k) const noexcept { return k == 0 ? 1 : slot_count(k, order_); }
 
     void expand(int k, const double *in) noexcept {
@@ -49,7 +51,7 @@ private:
         });
     }
 
-    // out[r] = sum over a of N_r^(a) in[slot of a after `orders`], on axis k.
+    // On axis k, out[r] = sum over a of N_r^(a) in[slot of `orders` with a added as the order along axis k].
     void expand_one(int k, Orders orders, const double *in, double *out) const noexcept {
         const auto at = static_cast<size_t>(k);
         const int64_t length = lengths_[at + 1];
@@ -60,7 +62,7 @@ private:
         }
     }
 
-    // out[r][l] = N_r^(order) row[l], or adds that to it.
+    // Sets out[r][l] to N_r^(order) row[l], or adds this product to it.
     template <bool add>
     void products(size_t k, int order, int64_t length, const double *row, double *out) const noexcept {
         const double *functions = active_.functions(k, order);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int dim = 3;
 
+// The derivatives at point i of a block, whose slots are S, S_u, S_v, S_uu, S_uv, S_vv.
 SurfaceDerivatives derivatives_at(const double *rows, int64_t i) noexcept {
     constexpr int64_t slot_rows = dim * block_size;
     const double *at = rows + slot_rows;
@@ -21,16 +22,18 @@ SurfaceDerivatives derivatives_at(const double *rows, int64_t i) noexcept {
             row_vector(at + 4 * slot_rows, dim, i)};
 }
 
-// The derivatives in the units of a jet, which are knot spans, so that their products stay in the range of
-// double.
+// The derivatives with respect to parameters whose units are those of a jet, about one knot span, so that
+// products of derivatives stay in the range of double.
 SurfaceDerivatives in_units(const SurfaceDerivatives &d, double u, double v) noexcept {
     return {u * d.u, v * d.v, u * u * d.uu, u * v * d.uv, v * v * d.vv};
 }
 
+// Error bounds of the derivatives in these units: a Taylor coefficient times i! j! is the derivative.
 DerivativeErrors errors_at(const Jet &jet) noexcept {
     return {jet.error(1, 0), jet.error(0, 1), 2 * jet.error(2, 0), jet.error(1, 1), 2 * jet.error(0, 2)};
 }
 
+// Computes the curvatures of each block of points and derivatives.
 class CurvatureSink final : public BlockSink {
 public:
     CurvatureSink(const Spline &spline, const AxisRules &rules, ConstRecords params,
@@ -55,6 +58,8 @@ public:
     }
 
 private:
+    // The status of point i. The bounds that hold everywhere are tested first; only if they leave a doubt, a
+    // jet gives the bounds at this point.
     [[nodiscard]] int32_t status_of(const SurfaceDerivatives &d, const ShapeOperator &w,
                                     int64_t i) const noexcept {
         if (regular(d, errors_) && w.spread() > w.spread_error(d, errors_)) {

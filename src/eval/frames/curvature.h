@@ -6,8 +6,8 @@
 
 namespace nrb::eval {
 
-// Arrays that are not wanted have data == nullptr. Widths: 2 for principal, 6 for directions, 1 for mean and
-// Gaussian curvature.
+// The outputs. Arrays that are not wanted have data == nullptr. Widths: 2 for principal, 6 for directions, 1
+// for mean and Gaussian curvature.
 struct SurfaceCurvatures {
     Records principal;
     Records directions;
@@ -16,7 +16,8 @@ struct SurfaceCurvatures {
     int32_t *status = nullptr;
 };
 
-// Preconditions: a surface of dimension 3, parameters that were checked; otherwise as evaluate_points().
+// Preconditions: a surface of dimension 3, and parameters that have been checked. Otherwise as
+// evaluate_points().
 void surface_curvatures(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const SurfaceCurvatures &out);
 

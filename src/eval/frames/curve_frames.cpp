@@ -24,8 +24,8 @@ struct Errors {
     double second = 0;
 };
 
-// Whether the point may be irregular, or is so large or small that squares leave the range of double. An
-// infinite bound makes every point doubtful.
+// Whether the point may be irregular (C' = 0 or, in space, C' x C'' = 0 within the error bounds), or so large
+// or small that squares leave the range of double. An infinite bound makes every point doubtful.
 bool doubtful(const Derivatives &d, int dim, const Errors &errors) noexcept {
     const double speed = dot(d.first, d.first);
     if (!(in_range(speed) && speed > errors.first * errors.first)) {
@@ -52,7 +52,7 @@ CurveFrame space_frame(const Derivatives &d) noexcept {
     const Vector3 product = cross(d.first, d.second);
     const double area = std::sqrt(dot(product, product));
     frame.tangent = (1 / speed) * d.first;
-    const Vector3 across = (1 / area) * product; // perpendicular only to its own rounding
+    const Vector3 across = (1 / area) * product; // perpendicular to T only up to the rounding of the product
     frame.binormal = unit(across - dot(across, frame.tangent) * frame.tangent);
     frame.normal = cross(frame.binormal, frame.tangent);
     frame.curvature = area / speed / speed / speed;
@@ -64,7 +64,7 @@ CurveFrame regular_frame(const Derivatives &d, int dim) noexcept {
     return dim == 2 ? plane_frame(d) : space_frame(d);
 }
 
-// Brings each derivative near 1 by its own power of two.
+// Multiplies each derivative by a power of two of its own that brings it near 1.
 class NearOne {
 public:
     explicit NearOne(const Derivatives &d) noexcept
@@ -88,6 +88,7 @@ private:
     Derivatives scaled_;
 };
 
+// Computes the frames of each block of points and derivatives.
 class CurveSink final : public BlockSink {
 public:
     CurveSink(const Spline &spline, const AxisRules &rules, ConstRecords params, int order,
@@ -105,8 +106,8 @@ public:
     }
 
 private:
-    // A point that proves to be regular uses the formula for regular points, so that nothing depends on the
-    // batch.
+    // Points that turn out to be regular after a closer look use the same formula as all other regular
+    // points, so that no result depends on the batch.
     [[nodiscard]] CurveFrame frame(const double *rows, int64_t i, int64_t index) const noexcept {
         const int dim = spline_.dim();
         const int64_t slot_rows = dim * block_size;

@@ -6,8 +6,8 @@
 
 namespace nrb::eval {
 
-// Arrays that are not wanted have data == nullptr; widths: dim for points, tangents and normals, 3 for
-// binormals, 1 for curvatures and torsions.
+// The outputs. Arrays that are not wanted have data == nullptr. Widths: dim for points, tangents and normals,
+// 3 for binormals, 1 for curvatures and torsions.
 struct CurveFrames {
     Records points;
     Records tangents;
@@ -18,8 +18,8 @@ struct CurveFrames {
     int32_t *status = nullptr;
 };
 
-// Preconditions: a curve of dimension 2 or 3, parameters that were checked, and no binormals or torsions in
-// the plane; otherwise as evaluate_points().
+// Preconditions: a curve of dimension 2 or 3, parameters that have been checked, and no binormals or torsions
+// in the plane. Otherwise as evaluate_points().
 void curve_frames(const Spline &spline, const AxisRules &rules, ConstRecords params, const CurveFrames &out);
 
 } // namespace nrb::eval

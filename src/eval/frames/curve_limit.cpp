@@ -10,9 +10,9 @@ namespace nrb::eval {
 
 namespace {
 
-// The coefficients of a curve and their errors, each times a power of two that brings it near 1: a span may
-// be much shorter than its neighbours, and products of its coefficients may leave the range of double
-// precision.
+// The Taylor coefficients A_1, A_2, ... of a curve and the bounds of their errors, each coefficient times a
+// power of two that brings it near 1. A span may be much shorter than its neighbours, so that products of its
+// coefficients may leave the range of double.
 class Coefficients {
 public:
     Coefficients(const Jet &jet, int order) noexcept : order_(order) {
@@ -36,13 +36,14 @@ private:
     std::array<int, max_jet_order + 1> exponents_{};
 };
 
-// The first coefficients that matter, C = C_0 + A_m s^m + ... where A_k is the first one that is not parallel
-// to A_m; 0 if there is none.
+// The leading orders of C = C_0 + A_m s^m + ... + A_k s^k + ...: A_m is the first coefficient that does not
+// vanish, and A_k the first one after it that is not parallel to A_m. 0 if there is none.
 struct LeadingOrders {
     int m = 0;
     int k = 0;
 };
 
+// A bound of the error of A_m x A_k.
 double product_error(const Coefficients &jet, int m, int k) noexcept {
     return length(jet.at(m)) * jet.error(k) + jet.error(m) * (length(jet.at(k)) + jet.error(k));
 }
@@ -59,21 +60,22 @@ LeadingOrders leading_orders(const Coefficients &jet) noexcept {
     return found;
 }
 
-// The limit of s^exponent as s -> 0+, times a factor.
+// The limit of factor * s^exponent as s -> 0+.
 double limit_of_power(double factor, int exponent) noexcept {
     return exponent == 0 ? factor : exponent > 0 ? 0 : std::copysign(infinity, factor);
 }
 
-// The curve s^m A_m + s^k A_k has the curvature k (k - m) |V| / (m |A_m|)^2 s^(k - 2m) + ..., where V is the
-// part of A_k across A_m. `height` is |V|, with a sign in the plane.
+// The limit of the curvature. With V the component of A_k across A_m, the curve s^m A_m + s^k A_k has the
+// curvature k (k - m) |V| / (m |A_m|)^2 s^(k - 2m) + .... `height` is |V|, with a sign in the plane.
 double curvature_limit(const Coefficients &jet, LeadingOrders orders, double height) noexcept {
     const auto [m, k] = orders;
     const double speed = m * length(jet.at(m)), factor = k * (k - m) * (height / speed) / speed;
     return limit_of_power(std::ldexp(factor, jet.exponent(k) - 2 * jet.exponent(m)), k - 2 * m);
 }
 
-// With A_l the first coefficient outside the plane of A_m and A_k, det(C', C'', C''') / |C' x C''|^2 is
-// l (l - m) (l - k) / (m k (k - m)) (A_l . B) / (|A_m| |V|) s^(l - m - k) + ....
+// The limit of the torsion. With A_l the first coefficient outside the plane of A_m and A_k, and B the
+// binormal, det(C', C'', C''') / |C' x C''|^2 is
+//   l (l - m) (l - k) / (m k (k - m)) (A_l . B) / (|A_m| |V|) s^(l - m - k) + ....
 double torsion_limit(const Coefficients &jet, LeadingOrders orders, const Vector3 &binormal) noexcept {
     const auto [m, k] = orders;
     const double area = length(cross(jet.at(m), jet.at(k)));
@@ -92,7 +94,7 @@ double torsion_limit(const Coefficients &jet, LeadingOrders orders, const Vector
 void complete_in_plane(const Coefficients &jet, LeadingOrders orders, CurveFrame &frame) noexcept {
     frame.normal = {-frame.tangent.y, frame.tangent.x, 0};
     if (orders.k > 0) {
-        const double height = dot(jet.at(orders.k), frame.normal); // the side enters by the normal
+        const double height = dot(jet.at(orders.k), frame.normal); // the side of s enters through the normal
         frame.curvature = curvature_limit(jet, orders, height);
     }
 }
@@ -107,7 +109,7 @@ void complete_in_space(const Coefficients &jet, double side, LeadingOrders order
         return;
     }
     const Vector3 area = cross(jet.at(orders.m), jet.at(orders.k));
-    const Vector3 turned = unit_across(area, t); // the binormal of the curve in s
+    const Vector3 turned = unit_across(area, t); // the binormal of the curve as a function of s
     frame.binormal = side * turned;
     frame.normal = cross(frame.binormal, t);
     frame.curvature = curvature_limit(jet, orders, length(area) / length(jet.at(orders.m)));
@@ -115,7 +117,8 @@ void complete_in_space(const Coefficients &jet, double side, LeadingOrders order
     frame.status |= orders.m == 1 && orders.k == 2 ? 0 : frame_normal_limit;
 }
 
-// Derivatives of a polynomial end at its degree; torsion needs the third one.
+// The highest order of Taylor coefficients to look at. Those of a polynomial end at its degree; the torsion
+// needs the third one in any case.
 int highest_frame_order(const Spline &spline) noexcept {
     return spline.rational() ? max_jet_order : std::min(max_jet_order, std::max(spline.axis(0).degree(), 3));
 }

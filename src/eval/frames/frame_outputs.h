@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The caller's optional output arrays, filled from the rows of a block.
+// Writers to the caller's optional output arrays, from the rows of a block or from vectors.
 #pragma once
 
 #include "base/records.h"
@@ -10,7 +10,7 @@
 
 namespace nrb::eval {
 
-// Bits of a point's status.
+// The bits of a point's status, with the values of NURBS_FRAME_ in nurbs.h.
 enum FrameBits : int32_t {
     frame_limit = 0x01,        // the tangent of a curve, or the normal of a surface, is a one-sided limit
     frame_normal_limit = 0x02, // the normal of a curve in space is a one-sided limit
@@ -18,10 +18,12 @@ enum FrameBits : int32_t {
     frame_undefined = 0x08,    // some result does not exist
 };
 
-// The first out.width rows of a block, written to records first, ...; nothing if `out` is not wanted.
+// Writes the first out.width rows of a block to records first, first + 1, ...; does nothing if `out` is not
+// wanted.
 void write_rows(const double *rows, int64_t first, int64_t count, const Records &out) noexcept;
 
-// The first out.width coordinates of a vector as record i.
+// Writes the first coordinates of a vector, at most out.width, to record i, beginning with component
+// `component`; does nothing if `out` is not wanted.
 inline void write_vector(const Vector3 &vector, int64_t i, const Records &out,
                          int64_t component = 0) noexcept {
     if (out.data == nullptr) {
@@ -45,7 +47,7 @@ inline void write_status(int32_t value, int64_t i, int32_t *out) noexcept {
     }
 }
 
-// The vector of dim rows at place i of a block; in the plane z = 0.
+// The vector whose coordinates are in `dim` rows, at index i of a block. A vector of the plane gets z = 0.
 inline Vector3 row_vector(const double *rows, int dim, int64_t i) noexcept {
     return {rows[i], rows[block_size + i], dim == 3 ? rows[2 * block_size + i] : 0.0};
 }

@@ -16,8 +16,8 @@ constexpr int orders = max_jet_order + 1;
 constexpr int slots = orders * (orders + 1) / 2;
 
 // The Taylor coefficients of the basis functions of one axis, and the sums of the magnitudes of their terms.
-// Only the orders that are needed are filled: clearing all would take longer than computing a low order.
-// Initially it stands for the axis that a curve lacks: the constant function 1.
+// Only the orders that are needed are filled: clearing all of them would take longer than computing a low
+// order. A new object stands for the axis that a curve lacks, with the constant function 1.
 struct Series {
     Series() noexcept {
         values[0][0] = 1;
@@ -32,8 +32,8 @@ struct Series {
     double sizes[orders][max_basis];
 };
 
-// From the d functions of degree d - 1 to `scale` times the derivatives of the d + 1 functions of degree d
-// (Piegl & Tiller 2.7), in place.
+// One difference step, in place: from d functions of degree d - 1 to the derivatives of the d + 1 functions
+// of degree d (Piegl & Tiller 2.7), times unit * scale.
 void differentiate(const double *knots, int d, int64_t span, double unit, double scale, double *values,
                    double *sizes) noexcept {
     const double *right = knots + span + 1;
@@ -53,8 +53,8 @@ void differentiate(const double *knots, int d, int64_t span, double unit, double
     sizes[d] = carried_size;
 }
 
-// Coefficient k: k difference steps from the functions of degree p - k, which are accurate, with a factor of
-// 1 / k! spread over the steps.
+// Computes Taylor coefficient k by k difference steps from the functions of degree p - k, which are
+// relatively accurate. The factor 1 / k! is spread over the steps.
 void fill_order(const double *knots, int degree, int64_t span, double t, int k, Series &series) noexcept {
     double *values = series.values[k];
     double *sizes = series.sizes[k];
@@ -67,13 +67,15 @@ void fill_order(const double *knots, int degree, int64_t span, double t, int k, 
     }
 }
 
-// If first derivatives are near 1 anyway, the powers of the unit stay so near 1 that coefficients keep their
-// bits.
+// The power of two nearest below the length of a span, kept within 2^-64 and 2^64. If first derivatives are
+// near 1 in these units, the powers of the unit stay so moderate that scaling loses no bits of the
+// coefficients.
 double unit_of(double length) noexcept {
     constexpr int farthest = 64;
     return std::ldexp(1.0, std::clamp(std::ilogb(length), -farthest, farthest));
 }
 
+// Fills the coefficients of one axis up to `order`; false if the parameter gives NaN.
 bool fill(const KnotVector &axis, const AxisRule &rule, double t, int order, Series &series) noexcept {
     const double placed = place(t, rule, axis.domain());
     if (std::isnan(placed)) {
@@ -101,7 +103,7 @@ bool fill(const KnotVector &axis, const AxisRule &rule, double t, int order, Ser
 constexpr int max_width = 4;
 using Record = std::array<double, max_width>;
 
-// Homogeneous coefficients and the sums of the magnitudes of their terms, in the slots of a surface.
+// Homogeneous Taylor coefficients and the sums of the magnitudes of their terms, in the slots of a surface.
 struct Sums {
     explicit Sums(int order) noexcept {
         std::fill_n(values.begin(), slot_count(2, order), Record{});
@@ -118,7 +120,8 @@ void add_scaled(double factor, const Record &from, Record &to) noexcept {
     }
 }
 
-// One layer of axis 0: contracted along axis 1 for each order, then added for each order of axis 0.
+// Adds layer i of axis 0: contracts it along axis 1 for each order, then adds the result for each order of
+// axis 0.
 void add_layer(const Series &u, int i, const Series &v, const double *row, int width, int order, bool surface,
                Sums &sums) noexcept {
     for (int b = 0; b <= (surface ? order : 0); ++b) {
@@ -151,7 +154,8 @@ Sums contract(const Spline &spline, const Series &u, const Series &v, int order)
     return sums;
 }
 
-// The quotient rule for Taylor coefficients, C = (A - sum w C) / w_0, and in magnitudes: E of the preamble.
+// The quotient rule for Taylor coefficients, C_s = (A_s - sum over 0 < b <= s of w_b C_(s-b)) / w_0, and the
+// same in magnitudes, which gives E_a of the accuracy contract in nurbs.h.
 void divide(int order, bool surface, int dim, Sums &sums) noexcept {
     const auto w = static_cast<size_t>(dim);
     const double weight = sums.values[0][w];

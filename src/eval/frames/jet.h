@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Taylor coefficients at one parameter with bounds of their rounding errors. They decide, without any
-// tolerance, whether a computed vector may be zero, and give the limits if it is.
+// Jets: Taylor coefficients at one parameter with bounds of their rounding errors. The bounds decide, without
+// any tolerance, whether a computed vector may be zero; the coefficients give the limits if it is.
 #pragma once
 
 #include "eval/kernels/slots.h"
@@ -14,22 +14,22 @@ namespace nrb::eval {
 inline constexpr int max_jet_order = 8;
 
 // The coefficients of s^i t^j, where s and t run from the parameter into the domain (side = 1 or -1 along
-// each axis). Their units are about one knot span, so that nothing depends on the scale of the knots, but
-// stay within 2^-64 and 2^64: longer and shorter spans are those of parts of a usual magnitude (magnitude.h).
-// The point, i = j = 0, is that of the shape at_origin(). A curve has j = 0 only; dimension 2 has z = 0.
+// each axis). The unit of s and t is about one knot span, so that nothing depends on the scale of the knots,
+// but is kept within 2^-64 and 2^64: longer and shorter spans are brought to this range before (magnitude.h).
+// The point, i = j = 0, is that of the shape at_origin(). A curve has j = 0 only. In dimension 2, z = 0.
 class Jet {
 public:
-    // Builds the tables of a spline that evaluate() reads; may throw std::bad_alloc.
+    // Builds the tables that evaluate() reads; may throw std::bad_alloc.
     static void prepare(const Spline &spline);
-    // False when the parameter gives NaN. Preconditions: prepare() has been called; 1 or 2 axes, dimension 2
-    // or 3, order <= max_jet_order.
+    // Computes all coefficients of total order up to `order`. Returns false if the parameter gives NaN.
+    // Preconditions: prepare() has been called; 1 or 2 axes; dimension 2 or 3; order <= max_jet_order.
     bool evaluate(const Spline &given, const AxisRules &rules, const double *param, int order) noexcept;
 
     [[nodiscard]] double side(int axis) const noexcept { return side_[static_cast<size_t>(axis)]; }
-    // The length of the unit along an axis, in the parameter.
+    // The length of the unit of s or t, measured in the parameter.
     [[nodiscard]] double unit(int axis) const noexcept { return unit_[static_cast<size_t>(axis)]; }
     [[nodiscard]] const Vector3 &at(int i, int j = 0) const noexcept { return values_[place(i, j)]; }
-    // Bound of |error| of at(i, j).
+    // A bound of the length of the error of at(i, j).
     [[nodiscard]] double error(int i, int j = 0) const noexcept { return errors_[place(i, j)]; }
 
 private:
@@ -42,7 +42,7 @@ private:
     std::array<double, slots> errors_;
 };
 
-// c(p) of the accuracy contract.
+// c(p) of the accuracy contract in nurbs.h.
 double accuracy_factor(int degree) noexcept;
 
 } // namespace nrb::eval

@@ -14,10 +14,11 @@ namespace nrb::eval {
 
 namespace {
 
-// Within 2^-64 and 2^64 no square of a product of two derivatives of order 2 comes near the limits.
+// If sizes are within 2^-64 and 2^64, no square of a product of two second derivatives comes near the limits
+// of double.
 constexpr int usual_exponent = 64;
 
-// The sizes that are not 0.
+// The range of the sizes that are not 0.
 class Range {
 public:
     void add(double size) noexcept {
@@ -28,7 +29,7 @@ public:
         return most_ == 0 || (std::isfinite(most_) && std::ilogb(least_) + power > -usual_exponent &&
                               std::ilogb(most_) + power < usual_exponent);
     }
-    // The power of two that brings the middle of two exponents to 0.
+    // The exponent of the power of two that brings the middle of the two exponents to 0.
     [[nodiscard]] int power() const noexcept {
         return most_ > 0 && std::isfinite(most_) ? -((std::ilogb(least_) + std::ilogb(most_)) >> 1) : 0;
     }
@@ -38,6 +39,7 @@ private:
     double most_ = 0;
 };
 
+// The largest |coordinate| and, if homogeneous, |weight| of one or several stored control points.
 struct RecordSize {
     double coordinates = 0;
     double weight = 0;
@@ -48,8 +50,8 @@ struct RecordSize {
     }
 };
 
-// Cartesian points of weight 0 have no influence. If weights are stored apart, a common factor is already
-// taken out (Spline::records()).
+// Cartesian points of weight 0 have no influence. The weights of rational splines do not count, because a
+// common factor has already been taken out (Spline::records()).
 RecordSize size_of(const Spline &spline, int64_t i) noexcept {
     RecordSize size;
     if (spline.form() == Form::rational && spline.weight(i) == 0) {
@@ -63,7 +65,7 @@ RecordSize size_of(const Spline &spline, int64_t i) noexcept {
     return size;
 }
 
-// The sizes of all spans, and of control points.
+// The sizes of all spans and of control points.
 class Sizes {
 public:
     explicit Sizes(const Spline &spline) : axes_(spline.knot_vectors()) {
@@ -79,7 +81,7 @@ public:
         weights_.add(size.weight);
     }
 
-    // Whether all sizes are usual when they are multiplied by these powers.
+    // Whether all sizes are usual after multiplication by these powers of two.
     [[nodiscard]] bool usual(const Powers &powers) const noexcept {
         bool usual = coordinates_.usual(powers.coordinates) && weights_.usual(powers.weights);
         for (size_t k = 0; k < axes_.size(); ++k) {
@@ -87,7 +89,7 @@ public:
         }
         return usual;
     }
-    // The powers that make all sizes usual, if any do.
+    // Powers that make all sizes usual, if any powers do.
     [[nodiscard]] Powers powers() const noexcept {
         Powers powers{.coordinates = coordinates_.power(), .weights = weights_.power(), .knots = {}};
         for (size_t k = 0; k < axes_.size(); ++k) {
@@ -103,7 +105,7 @@ private:
     std::array<Range, 2> spans_;
 };
 
-// Every record size becomes the largest of itself and of the next `degree` along an axis.
+// Replaces every record size by the largest of itself and the next `degree` ones along an axis.
 void widen(const AxisView &view, int degree, std::vector<RecordSize> &sizes) {
     for (int64_t o = 0; o < view.outer; ++o) {
         for (int64_t i = 0; i < view.count; ++i) {
@@ -120,7 +122,7 @@ void widen(const AxisView &view, int degree, std::vector<RecordSize> &sizes) {
     }
 }
 
-// The sizes of the control points that are active together, for all spans.
+// The sizes of all windows of control points that are active together.
 Sizes sizes_of_windows(const Spline &spline) {
     std::vector<RecordSize> sizes;
     for (int64_t i = 0; i < spline.point_count(); ++i) {
@@ -140,19 +142,19 @@ Sizes sizes_of_windows(const Spline &spline) {
     return result;
 }
 
-// Found once for a spline and kept.
+// The magnitude of a spline, found once and kept with it.
 struct Extent {
     bool usual = true;
     double size = 0;
-    Powers powers;  // of the copy
-    SplinePtr copy; // usual everywhere; none if the spline itself is, or if there is no such copy
+    Powers powers;  // by which the copy is multiplied
+    SplinePtr copy; // of usual magnitude; null if not needed, or impossible
 };
 
 Extent find_extent(const Spline &given) {
     const Spline &spline = given.effective();
     const bool homogeneous = spline.form() == Form::homogeneous;
     Extent extent;
-    Sizes alone(spline); // usually each point is usual by itself
+    Sizes alone(spline); // in most splines each single point is usual
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         const RecordSize size = size_of(spline, i);
         alone.add(size);
@@ -180,14 +182,14 @@ int exponent_of(double size) noexcept {
     return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
-// The exponent of b - a, which may overflow; it is not 0 if the two differ.
+// The exponent of b - a, which may overflow. If a and b differ, b - a is not 0.
 int exponent_of_difference(double a, double b) noexcept {
     const double difference = b - a;
     return std::isfinite(difference) ? std::ilogb(difference) : std::numeric_limits<double>::max_exponent;
 }
 
-// The exponent of the largest control point of the derivative along axis k, ignoring weights, or of 1 / span
-// if it vanishes.
+// The exponent of the largest control point of the derivative of a part along axis k, ignoring weights and
+// the factor p. If that derivative vanishes, the exponent of 1 / span.
 int slope_exponent(const Spline &part, int k) noexcept {
     const KnotVector &axis = part.axis(k);
     const int p = axis.degree();
@@ -211,7 +213,7 @@ int slope_exponent(const Spline &part, int k) noexcept {
                                                      : -exponent_of_difference(axis[p], axis[p + 1]);
 }
 
-// The powers that bring control points and first derivatives of a part near 1.
+// The powers of two that bring the control points and the first derivatives of a part near 1.
 Powers powers_of_part(const Spline &part) noexcept {
     RecordSize largest;
     for (int64_t i = 0; i < part.point_count(); ++i) {
@@ -227,8 +229,8 @@ Powers powers_of_part(const Spline &part) noexcept {
     return powers;
 }
 
-// The parameters of a list as a copy has them: where they are evaluated, whatever the rules for the domain
-// are.
+// Divides a list of parameters into runs. Copies are evaluated at the placed parameters, to which the rules
+// for the domain have been applied.
 class Runs {
 public:
     using Body = std::function<void(const MagnitudeRun &)>;
@@ -255,7 +257,7 @@ public:
     }
 
 private:
-    using Spans = std::array<int64_t, max_axes>; // -1 for parameters that are nowhere
+    using Spans = std::array<int64_t, max_axes>; // -1 for parameters that give NaN
 
     [[nodiscard]] double placed(int64_t i, size_t k) const noexcept {
         return place(params_(i, static_cast<int64_t>(k)), rules_[k],

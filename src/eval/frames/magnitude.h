@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models and knots so large or so small that products of derivatives leave the range of double precision:
-// they are brought near 1 by powers of two, which changes no bit of what is then computed.
+// Splines whose points or knots are so large or small that products of derivatives leave the range of double.
+// They are brought near 1 by powers of two, which changes no bit of the results computed from them.
 #pragma once
 
 #include "eval/parameters.h"
@@ -11,27 +11,27 @@
 
 namespace nrb::eval {
 
-// Whether the largest coordinate of the control points that are active together is 0 or within 2^-64 and 2^64
-// everywhere, and every span too. Found once for a spline, by reading all of it. Preconditions of all
-// functions here: 1 or 2 axes.
+// Whether a spline is of usual magnitude: in every window of control points that are active together the
+// largest coordinate (and the largest weight of homogeneous records) is 0 or within 2^-64 and 2^64, and so is
+// every span. Found once for a spline, by reading all of it. Precondition of all functions here: 1 or 2 axes.
 bool usual_magnitude(const Spline &spline);
 
-// The largest |coordinate| of a control point that has influence on the domain; found at the same time.
+// The largest |coordinate| of a control point that has influence on the domain. Found at the same time.
 double active_size(const Spline &spline);
 
-// Parameters of a list, with the spline to evaluate at them instead of the given one. It is a copy of usual
-// size, kept with the given spline; if no power of two makes all of the spline usual, it is a copy of the
-// part that is active there.
+// Some parameters of a list, with the spline to evaluate there instead of the given one. It is a scaled copy
+// of usual magnitude, which is kept with the given spline. If no power of two makes all of the spline usual,
+// it is a scaled copy of the part over the spans of these parameters.
 struct MagnitudeRun {
     const Spline &spline;
     const AxisRules &rules;
     ConstRecords params;
-    int64_t first; // in the order that is returned
-    int size;      // the exponent of the factor by which the copy is larger
+    int64_t first; // place of the first parameter in the returned order
+    int size;      // the copy is larger than the given spline by 2^size
 };
 
-// Returns the numbers of the parameters in the order in which they were evaluated: span by span where there
-// are parts.
+// Divides the list into runs and calls body(run) for each. Returns the numbers of the parameters in the order
+// in which they were evaluated: span by span if there are parts, else as given.
 std::vector<int64_t> for_each_magnitude(const Spline &spline, const AxisRules &rules, ConstRecords params,
                                         const std::function<void(const MagnitudeRun &)> &body);
 

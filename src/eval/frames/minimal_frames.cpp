@@ -16,7 +16,8 @@ namespace nrb::eval {
 
 namespace {
 
-// Reflection in the plane through 0 across v; v may have any length except 0.
+// The reflection of a in the plane through the origin that is perpendicular to v. v may have any length
+// except 0.
 Vector3 reflected(const Vector3 &a, const Vector3 &v) noexcept {
     const Vector3 w = in_range(dot(v, v)) ? v : scaled_to_one(v);
     return a - (2 * dot(w, a) / dot(w, w)) * w;
@@ -26,20 +27,24 @@ bool is_zero(const Vector3 &v) noexcept {
     return largest(v) == 0;
 }
 
+// The frame that is carried along the sequence.
 struct TransportedFrame {
     Vector3 point;
     Vector3 tangent;
     Vector3 normal;
 };
 
-// The shortest rotation that takes the tangent to the next one: the reflections across a and a + b, the first
-// of which leaves the normal unchanged. Opposite tangents keep it.
+// The normal after the shortest rotation that takes the tangent a to the next tangent b. The rotation
+// consists of the reflections across a, which leaves the normal unchanged, and across a + b. If the tangents
+// are opposite, the normal is kept.
 Vector3 turned_normal(const TransportedFrame &from, const Vector3 &tangent) noexcept {
     const Vector3 sum = from.tangent + tangent;
     return is_zero(sum) ? from.normal : reflected(from.normal, sum);
 }
 
-// Made perpendicular again each time, so that errors do not add up along the sequence.
+// One step of double reflection. The normal is made perpendicular to the tangent again in each step, so that
+// errors do not accumulate along the sequence. Two points closer than `noise` may be the same point: their
+// chord has no meaning.
 HWY_INLINE Vector3 next_normal(const TransportedFrame &from, const Vector3 &point, const Vector3 &tangent,
                                double noise) noexcept {
     const Vector3 chord = point - from.point;
@@ -51,7 +56,7 @@ HWY_INLINE Vector3 next_normal(const TransportedFrame &from, const Vector3 &poin
     return unit_across(is_zero(turn) ? normal : reflected(normal, turn), tangent);
 }
 
-// The tangents of all points; regular ones come from the block.
+// The tangents of all points. Those of regular points come from the derivatives in the block.
 class Tangents {
 public:
     Tangents(const Spline &spline, const AxisRules &rules, int64_t points) : spline_(spline), rules_(rules) {
@@ -74,13 +79,14 @@ private:
     double error_ = 0;
 };
 
-// How far apart two computed points may be that are the same point: twice the bound stated in nurbs.h.
+// How far apart two computed points may be if their exact points coincide: twice c(p) eps hull of nurbs.h in
+// each coordinate.
 double point_noise(int degree, double size) noexcept {
     return 2 * std::sqrt(3.0) * accuracy_factor(degree) * eps * size;
 }
 
-// The frames of one point after the other, in the order of the sequence. It is inline, with what it calls, so
-// that a point goes from the block to the caller's arrays in registers.
+// Carries the frame from point to point, in the order of the sequence. Its operator and what that calls are
+// inlined, so that a point goes from the block to the caller's arrays in registers.
 class Transport {
 public:
     Transport(double noise, const std::optional<Vector3> &first_normal, const MinimalFrames &out)
@@ -128,6 +134,7 @@ Vector3 derivative_at(ConstRecords values, int64_t i) noexcept {
     return row_vector(values.data + space_dim * block_size, space_dim, i);
 }
 
+// Transports the frame through each block of points and derivatives; relies on blocks in rising order.
 class MinimalSink final : public BlockSink {
 public:
     MinimalSink(const Spline &spline, const AxisRules &rules, ConstRecords params,
@@ -155,7 +162,7 @@ struct PlaceAndTangent {
     CurveTangent tangent;
 };
 
-// Frames of points of one magnitude; all points are multiplied by one power of two.
+// Stores the points and tangents of one run. Points of all runs are multiplied by the same power of two.
 class PlaceSink final : public BlockSink {
 public:
     PlaceSink(const MagnitudeRun &run, int power, PlaceAndTangent *out)
@@ -177,7 +184,7 @@ private:
     PlaceAndTangent *out_;
 };
 
-// The first tangent of the sequence that exists.
+// The first tangent that exists in the sequence.
 std::optional<Vector3> first_tangent(const Spline &spline, const AxisRules &rules, ConstRecords params) {
     Jet::prepare(spline);
     for (int64_t i = 0; i < params.count; ++i) {
@@ -189,8 +196,8 @@ std::optional<Vector3> first_tangent(const Spline &spline, const AxisRules &rule
     return std::nullopt;
 }
 
-// A normal counts as parallel to the tangent if its part across the tangent is no more than the rounding of
-// both.
+// The first normal as the caller gave it, if it did. It counts as parallel to the tangent if its component
+// across the tangent does not exceed the rounding of both.
 std::optional<Vector3> checked_normal(const double *normal, const std::optional<Vector3> &tangent) {
     if (normal == nullptr) {
         return std::nullopt;
@@ -216,8 +223,8 @@ void frames_of_usual_size(const Spline &spline, const AxisRules &rules, ConstRec
     evaluate_points(spline, rules, 1, params, sink);
 }
 
-// Each tangent is found at its own magnitude; the points between which frames are carried share one
-// magnitude.
+// Each tangent is computed at the magnitude of its own run. The points between which frames are transported
+// share one magnitude.
 void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const double *first_normal, const MinimalFrames &out) {
     const double size = active_size(spline);

@@ -12,8 +12,7 @@ ShapeOperator::ShapeOperator(const SurfaceDerivatives &d) noexcept {
     a_ = length(d.u);
     e1_ = unit(d.u);
     normal_ = unit(product);
-    normal_ =
-        unit(normal_ - dot(normal_, e1_) * e1_); // the product is perpendicular only to its own rounding
+    normal_ = unit(normal_ - dot(normal_, e1_) * e1_); // perpendicular only up to the rounding of the product
     b_ = dot(d.v, e1_) / a_;
     c_ = length(product) / a_;
     l_ = dot(d.uu, normal_);
@@ -26,14 +25,15 @@ ShapeOperator::ShapeOperator(const SurfaceDerivatives &d) noexcept {
     spread_ = length({0.5 * (w11_ - w22_), w12_, 0});
 }
 
-// The product of the principal curvatures if squares of a large one would overflow.
+// The determinant of W or, where it is not finite, the product of the principal curvatures, whose factors do
+// not overflow.
 double ShapeOperator::gaussian() const noexcept {
     const double determinant = w11_ * w22_ - w12_ * w12_;
     return std::isfinite(determinant) ? determinant : (mean() + spread_) * (mean() - spread_);
 }
 
-// The angle phi from e1 has tan 2 phi = 2 w12 / (w11 - w22). The half angle is taken from the larger of its
-// cosine and sine, so that nothing cancels.
+// The angle phi from e1 satisfies tan 2 phi = 2 w12 / (w11 - w22). The larger one of cos phi and sin phi is
+// computed by the half-angle formula, the other one from it, so that nothing cancels.
 Vector3 ShapeOperator::direction() const noexcept {
     const double half = 0.5 * (w11_ - w22_);
     if (!(spread_ > 0)) {
@@ -46,7 +46,7 @@ Vector3 ShapeOperator::direction() const noexcept {
     return along * e1_ + across * cross(normal_, e1_);
 }
 
-// Each factor of w11, w12 and w22 in turn, with a few eps for the operations themselves.
+// The errors of each factor of w11, w12 and w22 in turn, plus a few eps for the operations themselves.
 double ShapeOperator::spread_error(const SurfaceDerivatives &d,
                                    const DerivativeErrors &errors) const noexcept {
     constexpr double own = 8 * eps;

@@ -18,7 +18,7 @@ Vector3 vector_at(const double *values) noexcept {
     return {values[0], values[1], values[2]};
 }
 
-// As unit_normals().
+// The normal of one point, with the operations of unit_normals(). Returns whether it is certainly regular.
 bool unit_normal(const SingleFrameTables &tables, SingleFrame &frame) noexcept {
     const Vector3 u = vector_at(frame.data() + 3), v = vector_at(frame.data() + 6);
     const Vector3 n = cross(u, v);

@@ -42,8 +42,9 @@ private:
     std::array<ConstRecords, max_axes> params_;
 };
 
-// Nearly all points pass through the kernel only. Points whose normal may not be regular are examined one by
-// one. The normal of a regular point is always the kernel's, so that it does not depend on the batch.
+// Computes the normals of each block. Nearly all points are finished by the kernel. Points whose normal may
+// not be regular are examined one by one; the normal of a point that turns out to be regular is still the
+// kernel's, so that it does not depend on the batch.
 template <class Parameters>
 class FrameSink final : public BlockSink {
 public:
@@ -81,6 +82,8 @@ private:
         normal_stream_.write(normals_.data(), first, count);
     }
 
+    // Examines a doubtful point with a jet, and replaces its normal where it is a limit, undefined or out of
+    // range.
     void look_closer(int64_t first, int64_t i, const Vector3 &du, const Vector3 &dv) noexcept {
         const std::array<double, 2> param = params_(first + i);
         const SurfaceNormal normal = surface_normal(spline_, rules_, param.data());
@@ -140,7 +143,8 @@ void frames_of_usual_size(const Spline &spline, const AxisRules &rules,
     evaluate_grid(spline, rules, 1, params, sink);
 }
 
-// Points and derivatives, of any size, as evaluation returns them.
+// Normals are computed run by run at usual magnitude. Points and derivatives, of whatever size, are written
+// as evaluation returns them.
 template <class Params>
 void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords list, const Params &params,
                         const SurfaceFrames &out) {
@@ -158,7 +162,7 @@ void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecor
     waiting.write(order);
 }
 
-// All combinations, axis 1 fastest.
+// The list of all combinations of the parameters of a grid, axis 1 fastest.
 std::vector<double> list_of(const std::array<ConstRecords, max_axes> &params) {
     const GridParameters grid(params);
     std::vector<double> list;

@@ -7,6 +7,7 @@ namespace nrb::eval {
 
 namespace {
 
+// A vector with a bound of its error.
 struct Term {
     Vector3 value;
     double error = 0;
@@ -14,7 +15,8 @@ struct Term {
     [[nodiscard]] bool vanishes() const noexcept { return !(length(value) > error); }
 };
 
-// N_ij: the sum over a + c = i, b + e = j of (a + 1) (e + 1) A_(a+1,b) x A_(c,e+1).
+// N_ij = sum over a + c = i, b + e = j of (a + 1) (e + 1) A_(a+1,b) x A_(c,e+1), where A are the coefficients
+// of the jet.
 Term normal_term(const Jet &jet, int i, int j) noexcept {
     Term term;
     for (int a = 0; a <= i; ++a) {
@@ -33,13 +35,14 @@ Term normal_term(const Jet &jet, int i, int j) noexcept {
     return term;
 }
 
-// Whether two terms that do not vanish point the same way, to within their errors.
+// Whether two terms that do not vanish may have the same direction, within their errors.
 bool same_direction(const Term &a, const Term &b) noexcept {
     const double noise = length(a.value) * b.error + a.error * (length(b.value) + b.error);
     return dot(a.value, b.value) > 0 && length(cross(a.value, b.value)) <= noise;
 }
 
-// The largest term of order d, if all that do not vanish agree with it. False when all vanish.
+// Examines the terms N_ij with i + j = d. Returns false if all of them vanish. Otherwise `normal` gets the
+// direction of the largest one, if all that do not vanish agree with it; if they do not, it stays undefined.
 bool leading_term(const Jet &jet, int d, SurfaceNormal &normal) noexcept {
     std::array<Term, max_jet_order> terms;
     const Term *largest_term = nullptr;
@@ -60,13 +63,14 @@ bool leading_term(const Jet &jet, int d, SurfaceNormal &normal) noexcept {
             return true;
         }
     }
-    // s and t may run against u and v.
+    // The orientation of (s, t) differs from that of (u, v) if one of the sides is -1.
     normal.kind = d == 0 ? NormalKind::regular : NormalKind::limit;
     normal.direction = (jet.side(0) * jet.side(1)) * nrb::unit(largest_term->value);
     return true;
 }
 
-// S_u x S_v of a polynomial surface of degrees (p, q) has terms to order 2 p + 2 q - 2.
+// The highest order of the jet that can matter. For a polynomial surface of degrees (p, q), S_u x S_v has
+// terms up to order 2 p + 2 q - 2.
 int highest_normal_order(const Spline &spline) noexcept {
     const int sum = spline.axis(0).degree() + spline.axis(1).degree();
     return spline.rational() ? max_jet_order : std::min(max_jet_order, std::max(2 * sum - 1, 1));
@@ -75,7 +79,7 @@ int highest_normal_order(const Spline &spline) noexcept {
 } // namespace
 
 SurfaceNormal surface_normal(const Spline &spline, const AxisRules &rules, const double *param) noexcept {
-    constexpr int usual = 2; // of poles; beyond that all orders are evaluated at once
+    constexpr int usual = 2; // enough at poles; above it, all orders are evaluated at once
     SurfaceNormal normal;
     Jet jet;
     const int highest = highest_normal_order(spline);

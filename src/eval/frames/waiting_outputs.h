@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outputs that wait until nothing can fail any more, because a failing call writes nothing.
+// Buffers for outputs until nothing can fail any more, because a failing call must write nothing.
 #pragma once
 
 #include "eval/frames/frame_outputs.h"
@@ -9,22 +9,22 @@
 
 namespace nrb::eval {
 
-// Arrays with a record for each parameter of a list, and statuses, filled run by run as for_each_magnitude()
-// finds them.
+// Buffers with a record for each parameter of a list, and statuses. They are filled run by run by
+// for_each_magnitude(), in its order.
 class WaitingOutputs {
 public:
     struct Array {
-        Records out;   // without data: not wanted
-        int power = 0; // of 1 / length, in which the values are
+        Records out;   // not wanted if it has no data
+        int power = 0; // the unit of the values is 1 / length^power
     };
     WaitingOutputs(std::vector<Array> arrays, int32_t *status, int64_t count);
 
-    // The arrays that a run writes to.
+    // The parts of the buffers that belong to a run.
     [[nodiscard]] Records part(size_t array, const MagnitudeRun &run) noexcept;
     [[nodiscard]] int32_t *status(const MagnitudeRun &run) noexcept { return status_.data() + run.first; }
-    // Converts what a run has written to the spline itself.
+    // Scales what a run has computed for the scaled copy to the values for the spline itself.
     void finish(const MagnitudeRun &run) noexcept;
-    // Writes all outputs; `order` is the result of for_each_magnitude().
+    // Writes all outputs to the caller's arrays. `order` is the result of for_each_magnitude().
     void write(const std::vector<int64_t> &order) const noexcept;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The basis functions of one axis at one placed parameter.
+// The basis functions of one axis at one parameter, to which the rule of the axis is applied.
 #pragma once
 
 #include "basis/bspline.h"
@@ -9,13 +9,14 @@
 
 namespace nrb::eval {
 
+// The active basis functions at a parameter, and which layers they belong to.
 struct AxisBasis {
     int64_t first = 0;        // index of the first active layer
-    int sole = -1;            // index of the only active layer relative to `first`, or -1
+    int sole = -1;            // relative to `first`: the layer whose function is 1, others 0; or -1
     double *values = nullptr; // [order + 1][degree + 1]
 };
 
-// The data of an axis that a batch looks up once.
+// The data of an axis that a batch looks up once. The recurrences are used, never power spans.
 class AxisEvaluator {
 public:
     AxisEvaluator(const KnotVector &axis, const AxisRule &rule, int order)
@@ -27,8 +28,8 @@ public:
         return static_cast<size_t>(order_ + 1) * static_cast<size_t>(degree_ + 1);
     }
 
-    // Fills basis.first, basis.sole and basis.values; false if the parameter gives NaN. Precondition: t was
-    // checked.
+    // Fills basis.first, basis.sole and basis.values. Returns false, and leaves them unchanged, if the
+    // parameter gives NaN. Precondition: t has been checked.
     bool operator()(double t, AxisBasis &basis) const noexcept {
         const double placed = place(t, rule_, domain_);
         if (std::isnan(placed)) {

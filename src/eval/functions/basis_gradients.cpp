@@ -14,14 +14,16 @@ namespace nrb::eval {
 
 namespace {
 
-// Of the derivatives of a spline, [axes][dim], an orthonormal basis of what they span, and by how much of it each consists. Gram
-// and Schmidt's method, each vector twice ("twice is enough", L. Giraud, J. Langou, M. Rozloznik, 2005).
+// The QR factorisation of the Jacobian of a spline: an orthonormal basis of the space that its columns (the
+// derivatives, [axes][dim]) span, and the components of each column in this basis. By the Gram-Schmidt method
+// with one reorthogonalisation ("twice is enough", L. Giraud, J. Langou, M. Rozloznik, 2005).
 class Tangents {
 public:
     Tangents(int axes, int dim)
         : axes_(static_cast<size_t>(axes)), dim_(static_cast<size_t>(dim)), across_(axes_ * dim_) {}
 
-    // Whether they are independent. noise: how far each may be off by rounding.
+    // Factorises the derivatives. Returns false if they are linearly dependent up to rounding. noise: a bound
+    // of the rounding error of each derivative.
     bool set(const std::vector<double> &derivatives, const std::array<double, max_axes> &noise) noexcept {
         across_ = derivatives;
         parts_ = {};
@@ -46,7 +48,8 @@ public:
         return true;
     }
 
-    // The vector along them whose product with derivative k is slopes[k].
+    // Passes the components of the vector in the span of the derivatives whose scalar product with derivative
+    // k is slopes[k] to put(c, x).
     template <class Put>
     void gradient(std::array<double, max_axes> slopes, Put &&put) const noexcept {
         for (size_t k = 0; k < axes_; ++k) {
@@ -67,6 +70,8 @@ public:
 
 private:
     [[nodiscard]] double length(const double *x) const noexcept { return norm(x, static_cast<int>(dim_)); }
+    // Subtracts the projections of `own` onto the basis vectors before k, and adds their lengths to row k of
+    // the components.
     void take_off(size_t k, double *own) noexcept {
         for (size_t j = 0; j < k; ++j) {
             const double *other = across_.data() + j * dim_;
@@ -84,9 +89,10 @@ private:
     size_t axes_, dim_;
     std::vector<double> across_;
     std::array<double, max_axes> sizes_{};
-    std::array<std::array<double, max_axes>, max_axes> parts_{}; // lower triangle, of vectors of length 1
+    std::array<std::array<double, max_axes>, max_axes> parts_{}; // R transposed, for columns of length 1
 };
 
+// Computes the gradients at one parameter after the other, with memory that is allocated once.
 class GradientBatch {
 public:
     GradientBatch(const Spline &spline, const AxisRules &rules)
@@ -95,6 +101,7 @@ public:
           tangents_(spline.axes(), spline.dim()), slopes_(axes_ * static_cast<size_t>(active_.size())),
           points_(static_cast<size_t>(active_.size())), values_(points_.size()), derivatives_(axes_ * dim_) {}
 
+    // The work of one parameter, in multiply-adds.
     [[nodiscard]] int64_t work() const noexcept {
         return active_.size() * static_cast<int64_t>(8 * axes_ * dim_);
     }
@@ -128,8 +135,10 @@ private:
     }
     [[nodiscard]] double &slope(size_t k, size_t j) noexcept { return slopes_[k * points_.size() + j]; }
 
-    // (N_j,k - N_j w,k / w) / w, which sum to 0 with the weights, so that derivatives are sums over differences of points from one of
-    // them: where the spline lies does not enter their rounding.
+    // Computes the slopes (N_j,k - N_j w,k / w) / w of all active functions j along all axes k, and the
+    // derivatives of the spline. The products of the slopes with the weights w_j sum to 0 over j. So the
+    // derivatives can be summed over the differences of control points from one of them, and the position of
+    // the spline does not enter their rounding errors. Returns false if w is not finite.
     bool set_slopes() noexcept {
         double weight = 0;
         size_t j = 0;
@@ -163,7 +172,7 @@ private:
     void set_derivatives() noexcept {
         const auto first = std::ranges::find_if(points_, [&](int64_t i) { return spline_.weight(i) > 0; });
         std::ranges::fill(derivatives_, 0);
-        double reach = 0; // the largest difference
+        double reach = 0; // the largest coordinate of a difference
         for (size_t c = 0; c < dim_; ++c) {
             const double origin =
                 first == points_.end() ? 0 : spline_.coordinate(*first, static_cast<int>(c));
@@ -178,13 +187,14 @@ private:
         }
         set_noise(reach);
     }
-    // Derivatives of functions are off by a few eps of what neighbours of them have.
+    // The derivative of a basis function has an error of a few eps of the magnitudes of the terms it is the
+    // difference of; these are comparable to the derivatives of neighbouring functions.
     void set_noise(double reach) noexcept {
         for (size_t k = 0; k < axes_; ++k) {
             noise_[k] = 64 * eps * steepness_[k] * reach;
         }
     }
-    // w (x - origin); of points at infinity w x.
+    // w (x - origin); for a control point at infinity, w x as stored.
     [[nodiscard]] double difference(int64_t point, int c, double origin) const noexcept {
         const double weight = spline_.weight(point);
         if (spline_.form() == Form::homogeneous && weight == 0) {
@@ -200,7 +210,7 @@ private:
     std::vector<double> slopes_; // [axes][active points]
     std::vector<int64_t> points_;
     std::vector<double> values_, derivatives_;           // derivatives_: [axes][dim]
-    std::array<double, max_axes> steepness_{}, noise_{}; // sums of the magnitudes of slopes; of derivatives
+    std::array<double, max_axes> steepness_{}, noise_{}; // sums of |slopes|; bounds of errors of derivatives
 };
 
 } // namespace

@@ -10,6 +10,7 @@ namespace nrb::eval {
 
 namespace {
 
+// The row of one parameter: derivatives of the B-spline basis functions.
 struct BasisFunctions {
     Orders orders;
 
@@ -18,9 +19,9 @@ struct BasisFunctions {
     }
 };
 
-// Derivative a of all active rational basis functions, w_i times the sum over b <= a of binomial(a, b)
-// N_i^(b) q^(a-b), q = 1 / w(t). Written out like this, the quotient rule costs each function one term for
-// each b.
+// The row of one parameter: derivative a of all active rational basis functions. With q = 1 / w(t), that of
+// function i is w_i times the sum over b <= a of binomial(a, b) N_i^(b) q^(a-b). In this form the quotient
+// rule takes one term for each b and each function.
 class RationalFunctions {
 public:
     RationalFunctions(const Spline &spline, const Orders &orders)
@@ -39,7 +40,7 @@ public:
     }
 
 private:
-    // Order 0, with the operations of rational_basis().
+    // Order 0, with the operations, and therefore the bits, of rational_basis().
     void quotients(const ActivePoints &active, double *values) const noexcept {
         double sum = 0;
         double *next = values;
@@ -50,6 +51,7 @@ private:
         std::for_each(values, next, [sum](double &value) { value /= sum; });
     }
 
+    // The sum over b, once the derivatives of q are known.
     void products(const ActivePoints &active, double *values) const noexcept {
         std::fill_n(values, active.size(), 0.0);
         reciprocal_.leibniz().for_each(orders_, [&](const Orders &b, const Orders &rest, double binomial) {

@@ -14,18 +14,21 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// By the recurrence, whose rows have no padding.
+// The functions and their derivatives by the recurrence, whose rows have no padding; they are copied to rows
+// of `lanes` doubles.
 //
-// Why a point made from these functions, here and in curve_kernel.cpp, is within (7 p + 2) eps hull for
-// weights >= 0. In roundings of eps / 2 each, those of the numerator relative to the sum of N w |x|, which is
-// at most w(t) hull, those of the denominator to w(t) itself, since no term of it is negative:
-//   functions: 4 at degree 1, where split() multiplies by 1 and nothing is added, 6 at each other: 6 p - 2
-//   w x, in the numerator only: 1
-//   contraction: a product and at most p sums for each term, or less where they are fused: p + 1
-//   1 / w(t), and the product with it: 2
-// Together 7 p + (7 p - 1) + 2 = 14 p + 1; at degree 0, where the functions are 1 exactly, 3. Up to the
-// 14 p + 4 of the bound there is room for the products of errors. Another axis adds its functions and its
-// contraction only.
+// Error bound: a point made from these functions, here and in curve_kernel.cpp, is within (7 p + 2) eps hull
+// of the exact one for weights >= 0. Count roundings of eps / 2 each. Errors of the numerator are relative to
+// the sum of N w |x|, which is at most w(t) hull; errors of the denominator are relative to w(t) itself,
+// since no term of it is negative.
+// - Functions: 4 at degree 1, where divide_in_ratio() multiplies by 1 and nothing is added, and 6 for each
+//   further degree: 6 p - 2.
+// - Products w x, in the numerator only: 1.
+// - Contraction: for each term a product and at most p sums, or fewer roundings where they are fused: p + 1.
+// - 1 / w(t), and the product with it: 2.
+// The numerator has 7 p roundings, the denominator 7 p - 1, the division 2: together 14 p + 1. At degree 0,
+// where the functions are exactly 1, there are 3. The bound allows 14 p + 4; the difference leaves room for
+// products of errors. Each further axis adds only its functions and its contraction.
 static HWY_NOINLINE void recurrence_values(const AxisSource &source, int64_t span, int order, double t,
                                            double *values) {
     const int functions = source.degree + 1;
@@ -36,7 +39,8 @@ static HWY_NOINLINE void recurrence_values(const AxisSource &source, int64_t spa
     }
 }
 
-// Any parameter: outside the domain, at a knot, without tables.
+// The functions at any parameter, also outside the domain, at a knot, or without tables. values: as for
+// axis_values().
 static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order, double param,
                                              double *values) {
     const double t = place(param, source.rule, source.domain);
@@ -48,8 +52,7 @@ static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order
     const double *knots = source.axis->knots().data();
     if (!source.has_power_spans || !source.axis->has_power_span(span)) {
         recurrence_values(source, span, order, t, values);
-    } else if (source.power_spans != nullptr &&
-               source.spans != nullptr) { // there are never power spans without spans
+    } else if (source.power_spans != nullptr && source.spans != nullptr) { // power spans imply spans
         const double *power_span = (*source.power_spans)[source.spans->number(t, source.rule.left)];
         horner(order, power_span, source.degree, source.lanes, t, values);
     } else {
@@ -60,7 +63,8 @@ static HWY_NOINLINE AxisPoint special_values(const AxisSource &source, int order
     return {span - source.degree, sole_function(knots, source.degree, span, t)};
 }
 
-// values: [order + 1][lanes]. first < 0 when the parameter gives NaN.
+// The functions at one parameter and their derivatives up to `order`. values: [order + 1][lanes]. The result
+// has first < 0 if the parameter gives NaN.
 HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, double *values) {
     if (source.power_spans != nullptr && t > source.domain.lower && t < source.domain.upper) {
         const int64_t number = source.spans->number(t, false);
@@ -73,9 +77,9 @@ HWY_INLINE AxisPoint axis_values(const AxisSource &source, int order, double t, 
     return special_values(source, order, t, values);
 }
 
-// The power spans and first layers of parameters that all lie strictly inside the domain and in a span with a
-// power span; false if some parameter does not. It is separate from its caller, so that everything it needs
-// stays in registers.
+// Finds the power spans and the first layers of parameters that all lie strictly inside the domain and
+// strictly inside a span with a power span. Returns false if some parameter does not; the results are then
+// incomplete. It is separate from its caller, so that everything it needs stays in registers.
 static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const double *HWY_RESTRICT params,
                                                  int64_t stride, int64_t count,
                                                  AxisPoint *HWY_RESTRICT points,
@@ -101,7 +105,7 @@ static HWY_NOINLINE HWY_MAYBE_UNUSED bool locate(const AxisSource &source, const
     return ordinary;
 }
 
-// Whether parameters lie strictly between two bounds; NaN does not.
+// Whether all parameters lie strictly between two bounds, which NaN does not.
 HWY_INLINE bool between(const double *HWY_RESTRICT params, int64_t stride, int64_t count, double lower,
                         double upper) {
     const Vec8 d;
@@ -118,8 +122,8 @@ HWY_INLINE bool between(const double *HWY_RESTRICT params, int64_t stride, int64
     return rest;
 }
 
-// The power span that holds all of `count` parameters strictly inside, and its first layer; null if none does, or
-// without a look at the others if the last one is not in the span of the first.
+// The one power span in whose interior all `count` parameters lie, and its first layer; null if there is
+// none. The parameters between the first and the last one are examined only if these two share a span.
 static HWY_NOINLINE HWY_MAYBE_UNUSED const double *locate_together(const AxisSource &source,
                                                                    const double *HWY_RESTRICT params,
                                                                    int64_t stride, int64_t count,
@@ -138,9 +142,10 @@ static HWY_NOINLINE HWY_MAYBE_UNUSED const double *locate_together(const AxisSou
     return power_span;
 }
 
-// axis_values() of `count` parameters that are `stride` apart, in two passes: searches, then polynomials.
-// Record i goes to values[i * (order + 1) * lanes]. Returns whether a parameter was special: NaN, or with a
-// function that is alone.
+// axis_values() at `count` parameters, which are `stride` apart, in two passes: first all searches, then all
+// polynomials. The functions of parameter i go to values[i * (order + 1) * lanes]. Returns whether some
+// parameter is special: it gives NaN, or one of its functions is 1 and all others are 0. kOrders: order + 1,
+// or most_orders for any order; kDegree: the degree, or -1 for any.
 template <int kOrders, int kDegree>
 HWY_INLINE bool axis_block(const AxisSource &source, int order, const double *params, int64_t stride,
                            int64_t count, AxisPoint *points, double *values) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where the basis functions of one axis come from: tables while they exist, the same code without them, or
-// the recurrence if there are no power spans.
+// The sources of the basis functions of one axis: the tables of spans and power spans if they exist;
+// otherwise the same power spans made anew for each parameter; or the Cox-de Boor recurrence where a span has
+// no power span.
 #pragma once
 
 #include "base/scratch.h"
@@ -11,7 +12,9 @@
 
 namespace nrb::eval {
 
-// The first active layer of a parameter, and which of the active layers is alone: -1 if none is.
+// The layers that are active at a parameter: `first` is the first of them, or negative if the parameter gives
+// NaN. `sole` is the index, relative to `first`, of the one layer whose function is 1 while all others are 0;
+// -1 if there is none.
 struct AxisPoint {
     int64_t first;
     int sole;
@@ -19,9 +22,10 @@ struct AxisPoint {
     [[nodiscard]] bool valid() const noexcept { return first >= 0; }
 };
 
-// The most parameters that are treated together.
+// The largest number of parameters for which the functions are computed together.
 inline constexpr int64_t axis_block_size = 32;
 
+// The data of one axis of a spline that a batch looks up once, and working memory.
 struct AxisSource {
     AxisSource() noexcept = default;
     AxisSource(const Spline &spline, int k, const AxisRule &axis_rule, int order, int64_t uses)
@@ -45,7 +49,7 @@ struct AxisSource {
     int lanes = 0;
     bool has_power_spans = false;
     const SpanTable *spans = nullptr;
-    const PowerSpans *power_spans = nullptr; // null: no table yet
+    const PowerSpans *power_spans = nullptr; // null while there is no table
     size_t work_size = 0;
     double *work = nullptr;
 

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// One vector of the sum. kDegree < 0 stands for any number n of rows; otherwise n is kDegree + 1.
+// One vector of the weighted sum of n rows, `stride` apart. n is kDegree + 1, or any number if kDegree < 0.
 template <int kDegree, class D>
 HWY_INLINE hn::Vec<D> contracted(D d, const double *HWY_RESTRICT coefficients, int n,
                                  const double *HWY_RESTRICT rows, int64_t stride) {
@@ -43,8 +43,10 @@ HWY_INLINE void contract_degree(const double *HWY_RESTRICT coefficients, int n,
     }
 }
 
-// out[l] = coefficients[0] * rows[l], then fused + coefficients[i] * rows[i * stride + l] in rising order, l
-// < length, whatever the length and its vectors. Precondition: n >= 1; out overlaps nothing.
+// The weighted sum of n rows: out[l] = coefficients[0] * rows[l], then + coefficients[i] * rows[i * stride +
+// l] in rising order of i, fused if the instruction set has fused multiply-adds, for all l < length. The
+// operations for one l depend neither on the length nor on the vectors. Preconditions: n >= 1; out overlaps
+// nothing.
 HWY_INLINE void contract_rows(const double *coefficients, int n, const double *rows, int64_t stride,
                               int64_t length, double *out) {
     if (n == 4) {
@@ -54,7 +56,8 @@ HWY_INLINE void contract_rows(const double *coefficients, int n, const double *r
     }
 }
 
-// kVectors vectors of the sums for kOrders sets of coefficients, `lanes` apart; the sums are `length` apart.
+// kVectors vectors of the sums for kOrders sets of coefficients. The sets are `lanes` apart, the sums
+// `length` apart.
 template <int kOrders, int kVectors, class D>
 HWY_INLINE void contract_orders(D d, const double *HWY_RESTRICT coefficients, int lanes, int n,
                                 const double *HWY_RESTRICT rows, int64_t stride, int64_t length,
@@ -82,8 +85,8 @@ HWY_INLINE void contract_orders(D d, const double *HWY_RESTRICT coefficients, in
     }
 }
 
-// contract_rows() for the functions and their derivatives below kOrders. Precondition: the length is a
-// multiple of 4.
+// contract_rows() for the functions and for their derivatives of orders below kOrders at once. Precondition:
+// the length is a multiple of 4.
 template <int kOrders>
 HWY_INLINE void contract_rows_of_orders(const double *coefficients, int lanes, int n, const double *rows,
                                         int64_t stride, int64_t length, double *out) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The tensor product: one axis after the other is contracted with its basis functions, axis 0 first, and
-// every order of derivative that is still needed is kept. Points and grids share these steps and hence every
-// bit of their results.
+// The tensor product: the net is contracted with the basis functions of one axis after the other, axis 0
+// first. After each axis, every derivative that is still needed is kept. Points and grids share these steps,
+// and therefore every bit of their results.
 #pragma once
 
 #include "eval/kernels/slots.h"
@@ -10,9 +10,9 @@
 
 namespace nrb::eval {
 
-// Calls step(source, order, target) for every partial derivative kept after axis `level`: `source` is the
-// index of what was kept after the axes before, `target` its own index, both in graded order of the axes seen
-// so far.
+// Calls step(source, a, target) for every partial derivative that is kept after axis `level`. It is made from
+// slot `source` of what was kept after the axes before, by derivative a of the functions of this axis, and
+// becomes slot `target`. Slots are in graded order of the axes seen so far.
 template <class Step>
 void for_each_step(int level, int order, Step &&step) {
     if (level == 0) {
@@ -29,13 +29,14 @@ void for_each_step(int level, int order, Step &&step) {
     });
 }
 
-// The next multiple of 4, a length that suits vectors.
+// The length rounded up to a multiple of 4, for whole vectors.
 constexpr int64_t padded(int64_t length) noexcept {
     return (length + 3) / 4 * 4;
 }
 
-// What the contraction of each axis but the last leaves: kept[k] arrays of length[k] doubles after axis k.
-// Row r of axis k + 1 is length[k + 1] doubles of such an array; the last length is the width of a record.
+// The intermediate results of the contraction, one slab for each axis but the last. After axis k, data[k]
+// holds an array of length[k] doubles for each slot that is kept. Such an array consists of the rows of axis
+// k + 1, of length[k + 1] doubles each; the length for the last axis is the width of a record.
 struct Slabs {
     std::array<double *, max_axes> data{};
     std::array<int64_t, max_axes> length{};

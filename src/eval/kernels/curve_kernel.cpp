@@ -23,6 +23,9 @@ namespace HWY_NAMESPACE {
 
 static_assert(curve_group == group_size);
 
+// Evaluates a curve block by block. Parameters strictly inside a span with a power span or a Bernstein span
+// take the fast loops; all others are evaluated one by one by run_specially(). A parameter gives the same
+// bits in every loop.
 class CurveKernel {
 public:
     CurveKernel(const CurveJob &job, const ConstRecords &params, const Records &out)
@@ -48,7 +51,7 @@ public:
     }
 
 private:
-    // The most frequent shapes have loops of their own; what they compute is the same.
+    // The most frequent shapes have loops of their own, with the same results.
     template <int kOrders>
     void run_order() {
         if (job_.shape.lanes == 4) {
@@ -64,8 +67,9 @@ private:
         }
     }
 
-    // Blocks in one span are computed by vectors across the parameters, others by vectors across the
-    // components, in two passes, so that the searches of a block do not wait for its divisions.
+    // Evaluates all parameters in blocks. A block that lies in the same span as the block before it is
+    // computed by vectors across the parameters. Other blocks are computed by vectors across the components,
+    // in two passes, so that the searches of a block do not wait for its divisions.
     template <int kOrders, int kDegree, int kLanes>
     HWY_NOINLINE void run_params() {
         const CurveTables tables(job_);
@@ -100,7 +104,7 @@ private:
         }
     }
 
-    // A block of parameters side by side.
+    // A block of parameters, contiguous in memory: the caller's array itself, or a copy.
     static HWY_INLINE const double *block_of(const ConstRecords &params, int64_t first, int count,
                                              double *copy) {
         const double *start = params.data + first * params.stride;
@@ -113,7 +117,7 @@ private:
         return copy;
     }
 
-    // The parameters as place() gives them, with the same bits.
+    // Wraps the parameters of a block into the domain, with the same bits as place().
     const double *wrapped(const double *block, int count, double *copy) const {
         if (block != copy) {
             std::copy_n(block, count, copy);
@@ -154,6 +158,7 @@ private:
         hn::StoreU(hn::IfThenElse(inside, t, hn::IfThenElse(hn::Eq(placed, end), other, placed)), d, params);
     }
 
+    // A full block in one power span: vectors across the parameters.
     template <int kOrders, int kDegree>
     HWY_NOINLINE void run_in_piece(const double *block, const double *power_span, int64_t first) {
         for (int i = 0; i < curve_block; i += group_size) {
@@ -202,7 +207,7 @@ private:
         }
     }
 
-    // Records of four or eight lanes, in registers from the coefficients to the caller's array.
+    // Records of four or eight lanes: they stay in registers from the coefficients to the caller's array.
     template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE void run_quads(const CurveTables &tables, const double *block,
                               const double *const *power_spans, int count, int64_t first) {
@@ -215,7 +220,7 @@ private:
         write.template finish<kOrders, kLanes>(first + count - 1);
     }
 
-    // A block of which some parameters have a power span or a Bernstein span.
+    // A block in which only some parameters, or none, lie inside a power span or a Bernstein span.
     template <int kOrders, int kDegree, int kLanes>
     HWY_NOINLINE void run_mixed(const CurveTables &tables, const double *block, const double *const *spans,
                                 int count, int64_t first) {
@@ -230,8 +235,10 @@ private:
         }
     }
 
-    // Returns, as a set of bits, those that are left. Packed records have to be written in rising order; those in
-    // rows are written later, and only after them those that are left.
+    // Writes the records that can be made in registers and returns a bit set of the parameters that are left.
+    // Packed records have to be written in rising order, so the other parameters are evaluated in between. A
+    // writer that collects rows writes later; then the other parameters are left to the caller, after the
+    // rows.
     template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE unsigned run_mixed_quads(const CurveTables &tables, const double *block,
                                         const double *const *spans, int count, int64_t first) {
@@ -254,6 +261,7 @@ private:
         return left;
     }
 
+    // The record at t from its span; false if the span offers no form that fits.
     template <int kOrders, int kDegree, int kLanes>
     HWY_INLINE bool quads_of(const CurveTables &tables, const double *span, double t,
                              QuadRecord<kOrders, kLanes> &record) {
@@ -298,6 +306,7 @@ private:
         }
     }
 
+    // One parameter of any kind: outside the domain, at a knot, or without tables.
     HWY_NOINLINE void run_specially(double param, int64_t i) {
         const double t = place(param, job_.rule, domain_);
         if (t != t) {
@@ -316,7 +325,7 @@ private:
         }
     }
 
-    // The point from a Bernstein span, if there is one, and everything else by recurrences.
+    // Takes the point from the Bernstein span, if there is one, and everything else from the recurrences.
     void write_without_power_span(int64_t span, double t, int64_t i) {
         const double *const found =
             t > axis_[span] && t < axis_[span + 1] ? bernstein_span_of(span, t) : nullptr;
@@ -338,7 +347,7 @@ private:
         }
     }
 
-    // From the table, or made by the same code; null if there is none.
+    // The Bernstein span, from the table or made anew by the same code; null if there is none.
     const double *bernstein_span_of(int64_t span, double t) {
         if (job_.power_spans != nullptr) {
             const double *const found = (*job_.power_spans)[job_.spans->number(t, job_.rule.left)];
@@ -353,7 +362,7 @@ private:
         return job_.power_span;
     }
 
-    // From the table, or made by the same code.
+    // The power span, from the table or made anew by the same code.
     const double *piece_of(int64_t span, double t) {
         if (job_.power_spans != nullptr) {
             return (*job_.power_spans)[job_.spans->number(t, job_.rule.left)];
@@ -374,7 +383,7 @@ private:
     CurveRecurrence recurrence_;
     RecordWriter write_records_;
     RowWriter write_rows_;
-    int64_t made_ = -1; // the span in job_.power_span, while there is no table
+    int64_t made_ = -1; // the span that job_.power_span holds, while there is no table
 };
 
 void run_curve(const CurveJob &job, const ConstRecords &params, const Records &out) {

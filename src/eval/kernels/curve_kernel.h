@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel of curves: from parameters to points and derivatives.
+// The kernel of curves: evaluates points and derivatives at a list of parameters.
 #pragma once
 
 #include "eval/kernels/finish.h"
@@ -13,18 +13,18 @@ struct CurveJob {
     const RecordShape &shape;
     const QuotientRule *quotient;  // null for a polynomial curve
     const SpanTable *spans;        // null with `power_spans`
-    const PowerSpans *power_spans; // null while there is no table: then spans are made anew
-    const double *net;             // the records, if the recurrence needs them; null while there is no table
+    const PowerSpans *power_spans; // null while there is no table; spans are then made anew
+    const double *net;             // the table of records, or null
     double *records;               // working memory: [group][slots][lanes], a group being curve_group points
     double *weights;               // [slots]
-    double *power_span;            // one span
+    double *power_span;            // one span, made anew
     double *values;                // [order + 1][degree + 1]
-    double *window;                // [degree + 1][lanes], those of the records and of the spans
-    double *point;                 // the same lanes
+    double *window;                // [degree + 1][lanes]: the larger of record and span lanes
+    double *point;                 // [lanes], as for window
 };
 
 inline constexpr int curve_group = 8;
-inline constexpr int curve_block = 16; // parameters treated together, a multiple of curve_group
+inline constexpr int curve_block = 16; // parameters computed together, a multiple of curve_group
 
 void run(const CurveJob &job, const ConstRecords &params, const Records &out) noexcept;
 

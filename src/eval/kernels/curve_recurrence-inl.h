@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points and derivatives of curves by recurrences. Included once for every instruction set: see base/simd.h.
+// Points and derivatives of curves by the Cox-de Boor recurrence, for spans without power spans. Included
+// once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_CURVE_RECURRENCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_CURVE_RECURRENCE_INL_H_
 #undef NURBS_EVAL_KERNELS_CURVE_RECURRENCE_INL_H_
@@ -18,17 +19,17 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// The record at a parameter, in job.records, before it is divided.
+// Computes the homogeneous record at a parameter into job.records; the quotient rule is left to the caller.
 //
-// The functions of degrees p, p - 1, ... with the control points of the curve and of its derivatives.
-// With derivatives of the functions instead, whose sum is 0, the rounding of the part that all points
-// have in common would remain. For the same reason the quotient rule is applied to the curve relative to
-// its own point at t, which is written afterwards.
+// Derivative k is made from the functions of degree p - k and the control points of that derivative. With
+// derivatives of the functions instead, which sum to 0, the rounding errors of the part that all control
+// points have in common would remain. For the same reason the quotient rule is applied to the curve relative
+// to its own point at t; the point itself is written afterwards.
 class CurveRecurrence {
 public:
     explicit CurveRecurrence(const CurveJob &job) : job_(job), axis_(job.spline.axis(0)) {}
 
-    // Returns whether job.point holds the point, which the derivatives are relative to.
+    // Returns whether the derivatives are relative to the point of the curve, which is then in job.point.
     bool run(int64_t span, double t) {
         const int order = job_.shape.order;
         basis_values_of_lower_degrees(axis_.knots().data(), degree(), span, t, order, job_.values);
@@ -47,13 +48,13 @@ public:
     }
 
 private:
-    // The active records, one after the other with a stride.
+    // The active records, `stride` doubles apart.
     struct ActiveRows {
         const double *data;
         int64_t stride;
     };
 
-    // From the table, or made by the same code.
+    // The active records, from the table or made anew by the same code.
     ActiveRows active_rows(int64_t span) {
         const int width = job_.shape.width;
         const int64_t first = span - degree();
@@ -69,8 +70,9 @@ private:
         return {job_.window, lanes};
     }
 
-    // The rows relative to a point. From stored points the difference is rounded once; homogeneous records
-    // have a product and a difference that are rounded once.
+    // The active records of the curve minus `point`. For stored Cartesian points the difference and its
+    // product with the weight are rounded once each; for homogeneous records the fused product and difference
+    // are rounded once.
     ActiveRows rows_from(const double *point, int64_t span, const ActiveRows &rows) {
         const Vec4 d;
         const Spline &spline = job_.spline;
@@ -87,15 +89,15 @@ private:
                 const auto step = hn::Sub(hn::LoadU(d, stored + l), hn::LoadU(d, point + l));
                 const auto product = hn::Mul(hn::Set(d, weight), step);
                 hn::StoreU(weight == 0 ? hn::Zero(d) : product, d,
-                           record + l); // however far away the point is
+                           record + l); // even if the difference overflows
             }
             record[dim] = weight;
         }
         return {job_.window, lanes};
     }
 
-    // The sum for derivative k of the first rows, with the functions of degree p - k. Lanes after a record
-    // may hold anything.
+    // Writes derivative k: the sum of the first p - k + 1 rows times the functions of degree p - k. The
+    // padding lanes of a record may hold anything.
     void contract(int k, const ActiveRows &rows) {
         contract_rows(job_.values + static_cast<int64_t>(k) * (degree() + 1), degree() + 1 - k, rows.data,
                       rows.stride, job_.shape.lanes,
@@ -112,7 +114,8 @@ private:
                   job_.records + job_.shape.size(), 0.0);
     }
 
-    // From the control points of derivative k - 1 to those of derivative k, one fewer (Piegl & Tiller 3.4).
+    // The control points of derivative k, from those of derivative k - 1, of which there is one more (Piegl &
+    // Tiller 3.4). May work in place.
     ActiveRows differences(int64_t span, int k, const ActiveRows &rows) {
         const Vec4 d;
         const int lanes = job_.shape.lanes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which spans the parameters of a curve lie in.
-// Included once for every instruction set: see base/simd.h.
+// The search for the spans of a block of parameters of a curve. Included once for every instruction set: see
+// base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_CURVE_TABLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_CURVE_TABLES_INL_H_
 #undef NURBS_EVAL_KERNELS_CURVE_TABLES_INL_H_
@@ -15,15 +15,15 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// Read by the loops over ordinary parameters; kept in registers.
+// The tables that the loops over ordinary parameters read, kept in registers.
 struct CurveTables {
     explicit CurveTables(const CurveJob &job)
         : domain(job.spline.axis(0).domain()), find(job.spans->finder()), power_spans((*job.power_spans)[0]),
           power_span_size(job.power_spans->size()), degree(job.spline.axis(0).degree()),
           lanes(job.shape.lanes), bernstein_lanes(job.spline.span_lanes()), dim(job.shape.dim) {}
 
-    // The spans of `count` parameters inside the domain; false unless each parameter lies strictly inside its
-    // span, and the span has a power span.
+    // Finds the spans of `count` parameters inside the domain. Returns false unless every parameter lies
+    // strictly inside its span and every span has a power span.
     [[nodiscard]] HWY_INLINE bool locate(const double *HWY_RESTRICT params, int count,
                                          const double **HWY_RESTRICT found) const {
         bool all = true;
@@ -34,7 +34,7 @@ struct CurveTables {
         }
         return all;
     }
-    // The same for any parameters; null where there is no such span.
+    // The same for any parameters. found[i] is null if parameter i does not lie strictly inside the domain.
     HWY_INLINE void locate_some(const double *HWY_RESTRICT params, int count,
                                 const double **HWY_RESTRICT found) const {
         for (int i = 0; i < count; ++i) {
@@ -53,7 +53,7 @@ struct CurveTables {
     int dim;
 };
 
-// Whether `count` parameters lie strictly between two bounds; NaN does not.
+// Whether all parameters of a block lie strictly between two bounds, which NaN does not.
 HWY_INLINE bool between(const double *block, int count, double lower_bound, double upper_bound) {
     if (count < curve_block) {
         bool all = true;

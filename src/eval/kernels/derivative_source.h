@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The spline from which derivatives are evaluated.
+// The spline whose control points derivatives are computed from.
 #pragma once
 
 #include "spline/at_origin.h"
 
 namespace nrb::eval {
 
-// The spline whose derivatives of orders 1, ..., `order` are those of another one: the same spline moved to
-// the origin, except for curves in whose kernel nothing cancels. These are the polynomial curves and, with
-// differences of control points, curves above the degrees of power spans.
+// A spline with the same derivatives of orders 1, ..., `order` as the given one, from which they are
+// computed. It is the given spline moved to the origin, so that no part common to all coordinates has to
+// cancel. Curves in whose kernel nothing cancels are taken as they are: polynomial curves, and curves above
+// the degrees of power spans, whose derivatives come from differences of control points.
 inline const Spline &derivative_source(const Spline &spline, int order) {
     if (order == 0) {
         return spline;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The kernel that checks whether packed parameters lie in their domains.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "eval/kernels/domain_kernel.cpp"
 #include "base/dispatch.h"
@@ -15,7 +16,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Vectors that begin at any parameter of a record meet the bounds in one of `axes` rotations.
+// The parameters of the axes alternate, and a vector may begin with any axis. So there are `axes`
+// arrangements of the bounds in a vector, which repeat after lanes * axes parameters.
 bool packed_inside(const double *params, int64_t count, int axes, const Interval *domains) {
     const hn::CappedTag<double, 8> d;
     const auto lanes = static_cast<int>(hn::Lanes(d));

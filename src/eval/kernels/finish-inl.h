@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From contracted records to the caller's records. Included once for every instruction set: see base/simd.h.
+// The division by the weight, and writers of records to the caller's array. Included once for every
+// instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_FINISH_INL_H_
 #undef NURBS_EVAL_KERNELS_FINISH_INL_H_
@@ -15,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// The quotient rule on one record, in place.
+// The quotient rule on one record of a shape whose terms are written out, in place.
 template <int kAxes, int kOrder>
 HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT record) {
     constexpr int slots = static_cast<int>(slot_count(kAxes, kOrder));
@@ -39,8 +40,8 @@ HWY_INLINE void divide_record(const RecordShape &shape, double *HWY_RESTRICT rec
     }
 }
 
-// A record of kLanes lanes in registers. The constructor is written out, because a constructor added by the
-// compiler is not compiled for the instruction set.
+// A record of kSlots slots and kLanes lanes in registers. The constructor is written out, because one added
+// by the compiler would not be compiled for the instruction set.
 template <int kSlots, int kLanes = 4>
 struct QuadRecord {
     static constexpr int parts = kLanes / vec4_lanes;
@@ -48,7 +49,7 @@ struct QuadRecord {
 
     HWY_INLINE QuadRecord() {}
 
-    // Divides by the weight, which is component `dim`.
+    // Applies the quotient rule. The weight is component `dim`.
     template <int kAxes, int kOrder>
     HWY_INLINE void divide_by_weight(int dim) {
         static_assert(slot_count(kAxes, kOrder) == kSlots);
@@ -64,7 +65,7 @@ struct QuadRecord {
     }
 
     [[nodiscard]] HWY_INLINE double component(int slot, int c) const {
-        if (parts == 1 && c == 3) { // the usual dimension, without memory
+        if (parts == 1 && c == 3) { // the weight in space: no detour through memory
             return hn::ExtractLane(values[0][slot], vec4_lanes - 1);
         }
         HWY_ALIGN double lanes[kLanes];
@@ -79,7 +80,7 @@ struct QuadRecord {
     }
 };
 
-// The same for any order. weights: [slots], working memory.
+// The quotient rule on one record for any order, in place. weights: [slots], working memory.
 static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientRule &rule,
                                        double *HWY_RESTRICT record, double *HWY_RESTRICT weights) {
     const Vec4 d;
@@ -103,8 +104,9 @@ static HWY_NOINLINE void divide_record(const RecordShape &shape, const QuotientR
     });
 }
 
-// The first `count` lanes of a vector. What lies after them may belong to another thread and is not touched.
-// If vectors have no masked stores, Highway's blended one reads it and writes it back.
+// Stores the first `count` lanes of a vector. The memory after them may belong to another thread and is not
+// written, except that, without masked stores, Highway's BlendedStore() may read it and write it back
+// unchanged.
 HWY_INLINE void store_some(hn::Vec<Vec8> values, int count, double *target) {
     const Vec8 d;
     if (count >= vec8_lanes) {
@@ -119,10 +121,14 @@ HWY_INLINE void store_some(hn::Vec<Vec8> values, int count, double *target) {
 #endif
 }
 
-// Writes records from registers, in rising order. Packed records are written with their padding and weight;
-// these fall on the next slots and points, which are written later. Nothing after the last record is touched.
-// If components have rows of their own, records wait until there are enough for whole vectors of a row:
-// finish() must follow, and a missing record must be skipped; its place may be overwritten with anything.
+// Writes records from registers, in rising order.
+//
+// Packed records are written with their weight and padding, which fall on the following slots and points;
+// these are written later. Nothing after the last record is touched.
+//
+// If each component has a row of its own, records wait until there are enough for whole vectors of a row.
+// Then skip() must be called for each missing record, whose place may be overwritten with anything, and
+// finish() after the last one.
 class QuadWriter {
 public:
     QuadWriter(const RecordShape &shape, const Records &out)
@@ -146,10 +152,10 @@ public:
         }
     }
 
-    // Whether records are written only when there are enough for a row.
+    // Whether records wait until there are enough for whole vectors of a row.
     [[nodiscard]] HWY_INLINE bool waits() const { return rows_; }
 
-    // In place of record i.
+    // Call instead of writing record i.
     template <int kSlots, int kLanes = 4>
     HWY_INLINE void skip(int64_t i) {
         if (waiting_ && i % vec8_lanes + 1 == vec8_lanes) {
@@ -157,7 +163,7 @@ public:
         }
     }
 
-    // Call after the last record, written or skipped, which was number `last`.
+    // Call after the last record, written or skipped; `last` is its number.
     template <int kSlots, int kLanes = 4>
     HWY_INLINE void finish(int64_t last) {
         if (waiting_) {
@@ -177,7 +183,8 @@ private:
         }
     }
 
-    // Quads of records side by side: [slot][quad][vec8_lanes][4].
+    // Stores a record among those that wait. Groups of four components of vec8_lanes records lie side by
+    // side: [slot][group of four][vec8_lanes][4].
     template <int kSlots, int kLanes>
     HWY_INLINE void wait(const QuadRecord<kSlots, kLanes> &record, int64_t i) {
         static_assert(kSlots * kLanes <= most_waiting);
@@ -213,7 +220,7 @@ private:
         waiting_ = false;
     }
 
-    static constexpr int most_waiting = 24; // doubles of a record
+    static constexpr int most_waiting = 24; // the most doubles of a record
     double *out_;
     int64_t stride_;
     int64_t component_stride_;
@@ -234,8 +241,9 @@ HWY_INLINE void write_record(const RecordShape &shape, const double *record, con
     }
 }
 
-// Three coordinates written by stores of four: the fourth falls on the next slot or point, which is written
-// after it. `last` takes care of what lies after the record.
+// Writes a packed record of three coordinates per slot by stores of four doubles. The fourth falls on the
+// next slot or point, which is written later. `last`: whether this is the last record, after which nothing
+// may be touched.
 HWY_INLINE void write_three(const RecordShape &shape, const double *record, double *target, bool last) {
     const Vec4 d;
     const int64_t whole = last ? shape.slots - 1 : shape.slots;
@@ -249,7 +257,8 @@ HWY_INLINE void write_three(const RecordShape &shape, const double *record, doub
     }
 }
 
-// Divides and writes records first, ..., first + count - 1; `records` holds [count][slots][lanes].
+// Applies the quotient rule to records first, ..., first + count - 1 and writes them. records:
+// [count][slots][lanes].
 class RecordWriter {
 public:
     RecordWriter(const RecordShape &shape, const QuotientRule *rule, double *weights, const Records &out)

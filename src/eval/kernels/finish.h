@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the last step of every evaluation needs: the shape of contracted records and of the caller's records.
+// The last step of every evaluation, from contracted records to the caller's: the shapes of both, and records
+// that are not computed.
 #pragma once
 
 #include "base/numbers.h"
@@ -11,8 +12,8 @@
 
 namespace nrb::eval {
 
-// A contracted record is [slots][lanes]: components 0, ..., dim - 1, then the weight if rational, then
-// padding. The caller's record is [slots][dim].
+// A contracted record is [slots][lanes]: components 0, ..., dim - 1, then the weight if the spline is
+// rational, then padding. The caller's record is [slots][dim].
 struct RecordShape {
     RecordShape(const Spline &spline, int highest_order) noexcept
         : axes(spline.axes()), order(highest_order), dim(spline.dim()), width(spline.width()),
@@ -31,8 +32,8 @@ struct RecordShape {
     bool rational;
 };
 
-// The caller's arrays hold stored control points where one control point is alone, and NaN where nothing was
-// evaluated.
+// Where the function of one control point is 1 and all others are 0, the caller gets the stored control
+// point. A parameter that gives NaN has NaN in all components.
 inline void write_control_point(const Spline &spline, int64_t point, const Records &out, int64_t i) noexcept {
     for (int c = 0; c < spline.dim(); ++c) {
         out(i, c) = spline.coordinate(point, c);

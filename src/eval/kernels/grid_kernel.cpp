@@ -16,17 +16,20 @@ namespace HWY_NAMESPACE {
 
 static_assert(grid_group == group_size);
 
+// Evaluates a grid, or a strip of one: contracts the axes recursively and writes row after row of the last
+// axis.
 class GridKernel {
 public:
     explicit GridKernel(const GridJob &job)
         : job_(job), last_(job.spline.axes() - 1), write_(job.shape, job.out) {}
 
-    // Axis 0 is contracted once for each of its parameters over the whole net, axis 1 once for each pair, and
-    // so on.
+    // The net is contracted along axis 0 once for each parameter of axis 0, the result along axis 1 once for
+    // each pair of parameters, and so on.
     void run() { descend(0, 0); }
 
 private:
-    // `row`: number of the combination of parameters of the axes before `level`.
+    // Contracts axis `level` for each of its parameters, then the axes after it. `row`: the number of the
+    // combination of parameters chosen on the axes before.
     void descend(int level, int64_t row) {
         const GridAxis &table = *job_.tables[static_cast<size_t>(level)];
         const int64_t begin = level == 0 ? job_.begin : 0;
@@ -50,6 +53,7 @@ private:
         }
     }
 
+    // Contracts axis `level` with the functions of its parameter i, over the stretches that are needed.
     void contract(int level, int64_t i) const {
         const auto at = static_cast<size_t>(level);
         const AxisSource &source = job_.sources[at];
@@ -68,7 +72,7 @@ private:
         });
     }
 
-    // All parameters of the last axis; the first of them is grid point `first`.
+    // Evaluates all parameters of the last axis. `first`: the number of the grid point of the first of them.
     void write_row(int64_t first) const {
         for (int k = 0; k < last_; ++k) {
             if (!chosen_[k].valid()) {
@@ -81,7 +85,7 @@ private:
         }
     }
 
-    // The usual shapes of grids have loops of their own; what they compute is the same.
+    // The usual shapes of grids have loops of their own, with the same results.
     void write_groups(int64_t first) const {
         const bool rational = job_.quotient != nullptr && job_.shape.width == 4;
         const bool polynomial = job_.quotient == nullptr && job_.shape.width == 3;
@@ -115,7 +119,8 @@ private:
         }
     }
 
-    // Three coordinates of a surface, rational with width 4: in registers up to the division.
+    // Surfaces in space, polynomial (kWidth = 3) or rational (kWidth = 4): the sums stay in registers up to
+    // the division.
     template <int kOrders, int kWidth>
     HWY_NOINLINE void write_triples(int64_t first) const {
         constexpr int slots = static_cast<int>(slot_count(2, kOrders - 1));
@@ -130,7 +135,7 @@ private:
         for (const GridGroup &group : job_.groups) {
             const double *slab = job_.slabs.data[0] + group.first * kWidth;
             const int64_t start = first + group.position[0];
-            // What an incomplete group writes beyond its own points is overwritten later.
+            // What an incomplete group writes beyond its own points is overwritten later by these points.
             const bool whole =
                 group.count == group_size || (job_.rising && start + group_size <= job_.out.count);
             const bool direct = group.consecutive && (separate || (packed && whole));
@@ -153,7 +158,7 @@ private:
         }
     }
 
-    // Points and derivatives at a vector of parameters.
+    // The points and derivatives at a vector of parameters.
     template <int kOrders, int kWidth>
     static HWY_INLINE void divided_slots(const double *HWY_RESTRICT values, int functions,
                                          const double *HWY_RESTRICT slab, int64_t length,
@@ -167,7 +172,8 @@ private:
         }
     }
 
-    // The first `count` lanes, to the caller's array whose components are arrays of their own.
+    // Stores the first `count` lanes to an array of the caller in which each component is an array of its
+    // own.
     template <int kSlots>
     HWY_INLINE void store_separate(const hn::Vec<Vec8> (*sums)[kSlots], int count, double *target) const {
         for (int s = 0; s < kSlots; ++s) {
@@ -177,7 +183,7 @@ private:
         }
     }
 
-    // Lane `i` of the group and those after it, for write_group().
+    // Stores lanes i, i + 1, ... of the group to the rows that write_group() reads.
     template <int kSlots, int kWidth>
     HWY_INLINE void store_rows(const hn::Vec<Vec8> (*sums)[kSlots], int i) const {
         for (int s = 0; s < kSlots; ++s) {
@@ -187,7 +193,7 @@ private:
         }
     }
 
-    // contract_rows() for a vector of points, all components and slots at once.
+    // contract_rows() for a vector of points: all components and slots at once.
     template <int kOrders, int kWidth>
     static HWY_INLINE void contract_slots(const double *HWY_RESTRICT values, int functions,
                                           const double *HWY_RESTRICT slab, int64_t length,
@@ -228,7 +234,7 @@ private:
         }
     }
 
-    // contract_rows() for a group: kWidth components at a time.
+    // contract_rows() for a group of points: kWidth components at a time.
     template <int kWidth>
     HWY_INLINE void contract_width(const GridGroup &group, const double *HWY_RESTRICT values) const {
         const auto at = static_cast<size_t>(last_);
@@ -284,7 +290,8 @@ private:
         }
     }
 
-    // NaN if the parameter gives it; the stored control point if one is alone on every axis.
+    // Corrects a grid point after its row was written: NaN if the parameter of the last axis gives NaN, or
+    // the stored control point if its function is 1 on every axis.
     void mend(int64_t position, int64_t first) const {
         const AxisPoint &own = job_.tables[static_cast<size_t>(last_)]->points[static_cast<size_t>(position)];
         if (!own.valid()) {

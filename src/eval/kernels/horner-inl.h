@@ -19,17 +19,17 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Vectors across the components of one record, and across parameters. The arithmetic of a lane does not
-// depend on the width of the vector, nor on whether lanes are components or parameters. Therefore all ways to
-// evaluate a point agree in every bit.
+// Vectors of up to 4 and up to 8 doubles, whose lanes are components of one record or different parameters.
+// The arithmetic of a lane depends neither on the width of the vector nor on what the lanes are. Therefore
+// all ways to evaluate a point agree in every bit.
 using Vec4 = hn::CappedTag<double, 4>;
 using Vec8 = hn::CappedTag<double, 8>;
 
 inline constexpr int vec8_lanes = static_cast<int>(hn::MaxLanes(Vec8()));
 inline constexpr int vec4_lanes = static_cast<int>(hn::MaxLanes(Vec4()));
 
-// Derivatives 0, ..., kOrders - 1 divided by their factorials, by repeated synthetic division: one step
-// multiplies by x and adds the next coefficient.
+// One step of Horner's rule for derivatives 0, ..., kOrders - 1 divided by their factorials, by repeated
+// synthetic division: multiplies by x and adds the next coefficient.
 template <int kOrders, class V>
 HWY_INLINE void horner_step(V x, V coefficient, V *HWY_RESTRICT y) {
     for (int k = kOrders - 1; k > 0; --k) {
@@ -38,7 +38,8 @@ HWY_INLINE void horner_step(V x, V coefficient, V *HWY_RESTRICT y) {
     y[0] = hn::MulAdd(y[0], x, coefficient);
 }
 
-// Coefficients of a vector: the components from `powers` on, or one of them for all lanes.
+// How a vector of coefficients is loaded: consecutive components, beginning at `powers`, or one component for
+// all lanes.
 struct Components {
     template <class D>
     HWY_INLINE hn::Vec<D> operator()(D d, const double *powers) const {
@@ -52,8 +53,8 @@ struct OneComponent {
     }
 };
 
-// The polynomial with coefficients powers[k * stride], k = 0, ..., degree, and its derivatives, at x;
-// `factor` is the derivative of x. kDegree < 0 stands for any degree.
+// The polynomial with the coefficients powers[k * stride], k = 0, ..., degree, and its derivatives with
+// respect to t, at the local parameter x; `factor` is dx/dt. kDegree < 0 stands for any degree.
 template <int kOrders, int kDegree, class D, class Load>
 HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers, int degree, int64_t stride,
                               hn::Vec<D> x, double factor, hn::Vec<D> *HWY_RESTRICT y) {
@@ -74,10 +75,11 @@ HWY_INLINE void horner_vector(D d, Load load, const double *HWY_RESTRICT powers,
     }
 }
 
-// Number of orders that a kernel for `order` computes; derivatives above the degree are 0.
+// The number of orders that the kernels for any order compute; derivatives above the degree of a power span
+// are 0.
 inline constexpr int most_orders = max_power_span_degree + 1;
 
-// Components l, l + 1, ... of a power span at x, as many as a vector holds.
+// Components l, l + 1, ... of a power span at x, as many as a vector holds, with derivatives.
 template <int kOrders, int kDegree, class D>
 HWY_INLINE void horner_lanes(D d, int order, const double *HWY_RESTRICT power_span, int degree, int lanes,
                              int l, double x, double *HWY_RESTRICT out) {
@@ -91,7 +93,7 @@ HWY_INLINE void horner_lanes(D d, int order, const double *HWY_RESTRICT power_sp
     }
 }
 
-// All components of a power span at t. out: [order + 1][lanes].
+// All components of a power span and their derivatives at t. out: [order + 1][lanes].
 template <int kOrders, int kDegree>
 HWY_INLINE void horner_record(int order, const double *HWY_RESTRICT power_span, int degree, int lanes,
                               double t, double *HWY_RESTRICT out) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Leibniz' rule for products of functions of several variables.
+// Leibniz' rule for products of functions of several variables, and derivatives of reciprocals.
 #pragma once
 
 #include "eval/kernels/slots.h"
@@ -8,7 +8,7 @@
 
 namespace nrb::eval {
 
-// Calls visit(b) for all b <= a, each after all those below it.
+// Calls visit(b) for all multi-indices b <= a, each after all those that are <= it.
 template <class Visit>
 void for_each_lower(const Orders &a, Visit &&visit) {
     Orders b{};
@@ -35,7 +35,7 @@ public:
         }
     }
 
-    // visit(b, a - b, binomial(a, b)) for all b <= a, b = 0 first.
+    // Calls visit(b, a - b, binomial(a, b)) for all b <= a, in the order of for_each_lower().
     template <class Visit>
     void for_each(const Orders &a, Visit &&visit) const {
         for_each_lower(a, [&](const Orders &b) {
@@ -52,7 +52,7 @@ private:
     std::vector<double> binomials_; // Pascal's triangle
 };
 
-// The derivatives of q = 1 / w(t), from those of w. Both arrays are indexed by slots.
+// The partial derivatives of q = 1 / w(t), computed from those of w.
 class Reciprocal {
 public:
     Reciprocal(int axes, int order)
@@ -62,7 +62,8 @@ public:
     [[nodiscard]] const Leibniz &leibniz() const noexcept { return leibniz_; }
     [[nodiscard]] double operator[](const Orders &a) const noexcept { return values_[at(a)]; }
 
-    // Appends derivative a, given that of w and after those of all b < a:
+    // Appends derivative a of q, given the same derivative of w. All derivatives b < a must have been
+    // appended before.
     //   q^(a) = -(sum over 0 < b <= a of binomial(a, b) w^(b) q^(a-b)) / w,   q^(0) = 1 / w.
     void add(const Orders &a, double weight) noexcept {
         weight_[at(a)] = weight;

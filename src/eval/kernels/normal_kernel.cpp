@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// Vectors across the points of a block.
+// Three-dimensional vectors of several points of a block, one point per lane.
 struct Vectors {
     using V = hn::Vec<Vec8>;
 
@@ -42,9 +42,9 @@ HWY_INLINE Vectors cross_product(const Vectors &a, const Vectors &b) {
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-// Fused products would disagree with the scalar formulas of the points that are examined one by one. (a +
-// b)^2 <= 2 (a^2 + b^2) makes the roots of |S_u| and |S_v| unnecessary. Returns a bit for each point of the
-// block.
+// Multiplications and additions are not fused, since the scalar formulas for points that are examined one by
+// one are not. The bound (a + b)^2 <= 2 (a^2 + b^2) saves the square roots for |S_u| and |S_v|. The result
+// has a bit for each point of the block.
 uint64_t unit_normals_of_rows(const double *du, const double *dv, int64_t count, double error_u,
                               double error_v, double *HWY_RESTRICT normals) {
     const Vec8 d;

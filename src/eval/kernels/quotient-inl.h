@@ -17,8 +17,9 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The frequent shapes written out, with the terms in the order of QuotientRule. a: homogeneous derivatives,
-// which become Cartesian; w: derivatives of the weight (w[0] is not read); lanes are components or points.
+// The quotient rule for the frequent shapes, written out, with the terms in the order of QuotientRule. a:
+// homogeneous derivatives, which are replaced by the Cartesian ones. w: derivatives of the weight; w[0] is
+// not read. inverse: 1 / w. Lanes are components or points.
 template <class V>
 HWY_INLINE V without(V sum, V weight, V value) {
     return hn::NegMulAdd(weight, value, sum);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Groups of points side by side: one row of group_size doubles for each component, vectors across the points.
-// Included once for every instruction set: see base/simd.h.
+// Groups of group_size points, computed by vectors across the points: each component has a row of group_size
+// doubles. Included once for every instruction set: see base/simd.h.
 #if defined(NURBS_EVAL_KERNELS_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef NURBS_EVAL_KERNELS_ROWS_INL_H_
 #undef NURBS_EVAL_KERNELS_ROWS_INL_H_
@@ -16,10 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
-// Row r of a group is rows[r * group_size]; component c of slot s is row s * width + c.
+// Row r of a group begins at rows[r * group_size]. Component c of slot s is row s * width + c.
 inline constexpr int group_size = 8;
 
-// divide_record() for a group: the same operations on the same operands, point by point.
+// divide_record() for a group: for each point, the same operations on the same operands.
 template <int kAxes, int kOrder>
 HWY_INLINE void divide_rows(const RecordShape &shape, double *HWY_RESTRICT rows) {
     constexpr int slots = static_cast<int>(slot_count(kAxes, kOrder));
@@ -46,7 +46,7 @@ HWY_INLINE void divide_rows(const RecordShape &shape, double *HWY_RESTRICT rows)
     }
 }
 
-// The same for any order.
+// The same for any order of derivatives.
 static HWY_NOINLINE void divide_rows(const RecordShape &shape, const QuotientRule &rule,
                                      double *HWY_RESTRICT rows) {
     const Vec8 d;
@@ -91,8 +91,8 @@ HWY_INLINE void divide_group(const RecordShape &shape, const QuotientRule &rule,
     }
 }
 
-// Packed records of at most vec8_lanes points, `stride` apart, from rows: next() is the row of the next
-// component. Four components at a time.
+// Stores at most vec8_lanes points as packed records, `stride` doubles apart. next() returns the row of the
+// next component. Four components are transposed at a time.
 template <class NextRow>
 HWY_INLINE void store_records(NextRow &&next, int64_t components, int count, double *target, int64_t stride) {
     const Vec8 d;
@@ -123,7 +123,7 @@ HWY_INLINE void store_records(NextRow &&next, int64_t components, int count, dou
     }
 }
 
-// Writes the rows of `count` points to records first, first + 1, ...
+// Writes the first `count` points of a group to the caller's records first, first + 1, ...
 class RowWriter {
 public:
     RowWriter(const RecordShape &shape, const Records &out) : shape_(shape), out_(out) {}
@@ -140,7 +140,7 @@ public:
         }
     }
 
-    // A point of the group to any record.
+    // Writes point i of the group to any record.
     HWY_INLINE void scatter(int64_t record, int i, const double *rows) const {
         double *target = out_.record(record);
         for (int64_t s = 0; s < shape_.slots; ++s) {
@@ -152,7 +152,7 @@ public:
     }
 
 private:
-    // The rows of a group in the order of the caller's components, without the weight.
+    // Iterates over the rows of a group in the order of the caller's components, skipping the weight.
     class Rows {
     public:
         Rows(const RecordShape &shape, const double *rows)

@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 using V4 = hn::Vec<Vec4>;
 
-// The place in the table of the span of t; null unless t lies inside the domain.
+// The entry of the table of spans for t, and its number; null unless t lies inside the domain.
 HWY_INLINE const double *span_at(const SingleAxis &axis, double t, int64_t &number) {
     if (!(t > axis.domain.lower && t < axis.domain.upper)) {
         return nullptr;
@@ -24,7 +24,8 @@ HWY_INLINE const double *span_at(const SingleAxis &axis, double t, int64_t &numb
     number = axis.find.number_inside(t);
     return axis.power_spans + number * axis.power_span_size;
 }
-// Null unless t lies strictly inside a span with a power span, where no function is alone.
+// The power span of t. Null unless t lies strictly inside a span with a power span, where no function can be
+// 1 with all others 0.
 HWY_INLINE const double *power_span_at(const SingleAxis &axis, double t, int64_t &number) {
     const double *span = span_at(axis, t, number);
     return span != nullptr && t > span[PowerSpan::lower] ? span : nullptr;
@@ -42,8 +43,8 @@ HWY_INLINE V4 local_parameter(const double *power_span, double t) {
     return hn::Set(Vec4(), (t - power_span[PowerSpan::middle]) * power_span[PowerSpan::scale]);
 }
 
-// The components of a record one vector after the other, from component(l), if it is rational divided by
-// component dim.
+// Computes the components of a record vector by vector with component(l), which returns components l, l + 1,
+// ..., and writes the point. A rational record is divided by component dim, the weight.
 template <class Component>
 HWY_INLINE void write_components(const SingleTables &tables, bool rational, const Component &component,
                                  double *point) {
@@ -94,7 +95,8 @@ HWY_INLINE bool single_of_curve(const SingleTables &tables, const double *params
 
 constexpr int most_functions = PowerSpan::lanes(max_power_span_degree + 1);
 
-// The functions of an axis and their derivatives below kOrders, and in `net` the first layer that is active.
+// The functions of an axis at t and their derivatives of orders below kOrders. Advances `net` to the first
+// active layer. Returns false unless t lies strictly inside a span with a power span.
 template <int kOrders, int kDegree>
 HWY_INLINE bool functions_at(const SingleAxis &axis, double t, double (*functions)[most_functions],
                              const double *&net) {
@@ -118,7 +120,8 @@ HWY_INLINE bool functions_at(const SingleAxis &axis, double t, double (*function
     return true;
 }
 
-// Sums of products with the functions of one axis, of rows or of such sums, in rising order as everywhere.
+// The sum of row(i), rows of the net or sums over another axis, times the functions of this axis, in rising
+// order of i as everywhere.
 template <int kDegree, class Row>
 HWY_INLINE V4 contract_axis(const SingleAxis &axis, const double *functions, const Row &row) {
     const Vec4 d;
@@ -163,7 +166,7 @@ HWY_INLINE bool single_of_tensor(const SingleTables &tables, const double *param
     return true;
 }
 
-// As contract_surface() of tensor_kernel.cpp.
+// The same sums as contract_surface() of tensor_kernel.cpp, for one vector of components.
 template <int kDegree>
 HWY_INLINE void contract_first_derivs(const SingleTables &tables,
                                       const double (*functions)[2][most_functions], const double *net,
@@ -240,7 +243,7 @@ NURBS_FORMS(single_derivs);
 
 namespace {
 
-// Of the tables, those of an axis; null power spans if there are none yet.
+// The tables of axis k. Its power spans stay null if there are none yet.
 SingleAxis axis_of(const Spline &spline, int k, const PowerSpans *power_spans) {
     SingleAxis single;
     if (power_spans != nullptr) {

@@ -14,6 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
+// Evaluates a surface or a volume block by block. Points at which a parameter gives NaN or a control point is
+// interpolated are corrected after each block by mend().
 class TensorKernel {
 public:
     TensorKernel(const TensorJob &job, const ConstRecords &params, const Records &out)
@@ -40,7 +42,7 @@ public:
     }
 
 private:
-    // The most frequent shapes have loops of their own; what they compute is the same.
+    // The most frequent shapes have loops of their own, with the same results.
     template <int kOrders>
     void run_order() {
         bool cubic = true;
@@ -89,8 +91,8 @@ private:
         write_(first, count, job_.records);
     }
 
-    // Surfaces with records of at most four components: the first contraction in wide vectors, the second in
-    // registers to the caller's array.
+    // Surfaces with records of at most four components: axis 0 is contracted in wide vectors, axis 1 in
+    // registers, from which the result goes to the caller's array.
     template <int kOrders>
     HWY_NOINLINE void contract_surfaces(int64_t first, int64_t count, bool special) {
         QuadWriter write(job_.shape, out_);
@@ -124,8 +126,8 @@ private:
         write.template finish<slots>(first + count - 1);
     }
 
-    // Cubic nets of at most four components, in registers from the net to the caller's array: the same sums
-    // as contract(), a column of the last axis at a time.
+    // Cubic nets with records of at most four components, in registers from the net to the caller's array.
+    // The sums are those of contract(), one column of the last axis at a time.
     template <int kOrders, int kWidth>
     HWY_NOINLINE void contract_quads(int64_t first, int64_t count, bool special) {
         QuadWriter write(job_.shape, out_);
@@ -171,6 +173,7 @@ private:
         write(record, i);
     }
 
+    // The active records of one point: in the net, or copied.
     struct QuadWindow {
         const double *records;
         int64_t stride; // between rows of axis 0
@@ -188,7 +191,8 @@ private:
         return {job_.net + start, strides_[0], strides_[1]};
     }
 
-    // sums[a] = the column from `rows` on, contracted with derivative a of the functions of axis 0.
+    // sums[a] = the column of four records that begins at `rows`, contracted with derivative a of the
+    // functions of axis 0.
     template <int kOrders>
     HWY_INLINE void contract_column(const double *HWY_RESTRICT values, const double *HWY_RESTRICT rows,
                                     int64_t stride, int part, hn::Vec<Vec4> *HWY_RESTRICT sums) const {
@@ -204,7 +208,7 @@ private:
     }
 
 #if HWY_MAX_BYTES >= 64
-    // Two columns of four components in one vector.
+    // contract_column() for two columns of four components each, in one vector.
     template <int kOrders>
     HWY_INLINE void contract_pair(const double *HWY_RESTRICT values, const double *HWY_RESTRICT rows,
                                   int64_t stride, hn::Vec<Vec4> (*HWY_RESTRICT sums)[kOrders]) const {
@@ -283,7 +287,7 @@ private:
         }
     }
 
-    // The columns of a volume that have the same place on the last axis.
+    // Contracts axes 0 and 1 of a volume for the columns with the same index along the last axis.
     template <int kOrders>
     HWY_INLINE void contract_plane(const QuadWindow &from, const double *const *values, const double *records,
                                    int part, hn::Vec<Vec4> *HWY_RESTRICT planes) const {
@@ -310,7 +314,8 @@ private:
         return all;
     }
 
-    // Rows of axis 0 that are active at a point: a window of the net, contiguous only along the last axis.
+    // The rows of axis 0 that are active at a point. They are a window of the net: only segments along the
+    // last axis are contiguous.
     struct Window {
         const double *rows;
         int64_t stride;   // between rows of axis 0
@@ -329,6 +334,7 @@ private:
         return {from.records, from.stride, row / segment, from.inner, segment};
     }
 
+    // Copies the active records of point i, for a spline that has no table of records yet.
     HWY_NOINLINE void copy_window(int64_t i) const {
         const Spline &spline = job_.spline;
         const bool volume = axes_ == 3;
@@ -360,12 +366,13 @@ private:
         if (axes_ == 3) {
             contract_level(1, i, job_.slabs.length[1], job_.slabs.length[1], job_.slabs.data[1]);
         }
-        // Records are read with their padding, which is the next record's beginning.
+        // Records are read with their padding, which is the beginning of the next record.
         contract_level(axes_ - 1, i, job_.shape.lanes, job_.shape.lanes,
                        job_.records + i * job_.shape.size());
     }
 
-    // Axis `level` of the slabs before it: `length` doubles of each row, to targets `stride` apart.
+    // Contracts axis `level` of the slab before it: the first `length` doubles of each row. The results are
+    // `stride` apart.
     HWY_INLINE void contract_level(int level, int64_t i, int64_t length, int64_t stride, double *out) const {
         const auto at = static_cast<size_t>(level);
         const AxisSource &source = job_.sources[at];
@@ -379,6 +386,7 @@ private:
         });
     }
 
+    // Writes NaN for parameters that give it, and stored control points where they are interpolated.
     HWY_NOINLINE void mend(int64_t first, int64_t count) const {
         for (int64_t i = 0; i < count; ++i) {
             if (!valid(i)) {
@@ -392,7 +400,8 @@ private:
         }
     }
 
-    // Index of the control point that is alone at the parameter, or -1.
+    // The index of the control point whose function is 1 at the parameter, all others being 0; -1 if there is
+    // none.
     [[nodiscard]] int64_t sole_point(int64_t i) const {
         int64_t index = 0;
         for (int k = 0; k < axes_; ++k) {

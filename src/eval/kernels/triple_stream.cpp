@@ -15,6 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace nrb::eval {
 namespace HWY_NAMESPACE {
 
+// Turns three rows into packed triples.
 void interleave(const double *HWY_RESTRICT rows, int64_t count, double *HWY_RESTRICT triples) {
     const Vec8 d;
     const double *y = rows + block_size;
@@ -31,7 +32,7 @@ void interleave(const double *HWY_RESTRICT rows, int64_t count, double *HWY_REST
     }
 }
 
-// Both at the start of a line, `count` a multiple of 8.
+// Streaming copy. Preconditions: both arrays begin at cache lines, and `count` is a multiple of 8.
 void stream(const double *HWY_RESTRICT from, int64_t count, double *HWY_RESTRICT to) {
     const Vec8 d;
     for (int64_t i = 0; i < count; i += vec8_lanes) {
@@ -62,7 +63,7 @@ void TripleStream::write(const double *rows, int64_t first, int64_t count) noexc
     if (whole == 0) {
         return;
     }
-    const int64_t part = begin_ == 0 ? 0 : line; // of a line that is not entirely ours
+    const int64_t part = begin_ == 0 ? 0 : line; // a line of which the beginning is not ours
     std::copy(staged_ + begin_, staged_ + part, target_);
     NURBS_BEST(stream)(staged_ + part, whole - part, target_ + (part - begin_));
     std::copy(staged_ + whole, staged_ + end_, staged_);

@@ -36,7 +36,8 @@ Condition::Condition(int32_t kind, const eval::Orders &orders, const double *par
     }
 }
 
-// All but the first column of the Householder reflection that takes the direction to an axis.
+// Adds an orthonormal basis of the vectors perpendicular to the direction: all rows but the first of the
+// Householder reflection that takes the direction to the first coordinate axis.
 void Condition::add_complement(const double *direction) {
     std::vector<double> v = unit_vector(direction, dim_);
     v[0] += std::copysign(1.0, v[0]);
@@ -74,13 +75,14 @@ void Condition::evaluate(const double *values, double *residual, double *jacobia
     }
 }
 
-// With a = C', b = C'', s = a.a: k = b / s - (a.b) a / s^2, r = k - t. The Jacobian is that of the components
-// of r in a frame that turns with the tangent T = a / |a|, of which that along T is -t.T:
+// Let a = C', b = C'', s = a.a. The curvature vector is k = b / s - (a.b) a / s^2, and the residual is r = k
+// - t for the target t. The Jacobian is that of the components of r in a frame that turns with the tangent T
+// = a / |a|; the component along T is -t.T. With D for the derivative by a and b, it is
 //
-//     D k + (T r^T + (t.T) I) / |a|.
+//     D k + (T r^T + (t.T) I) / |a|,
 //
-// It is D k where r = 0. Elsewhere it says how T has to turn across t; T.D k = -k.D T cannot say that where k
-// is far from t.
+// where the second term counts for a only. It is D k where r = 0. Elsewhere it says how T has to turn to
+// become perpendicular to t. D k alone cannot say that where k is far from t, because T.D k = -k.D T.
 void Condition::curvature(const double *values, double *residual, double *jacobian) const noexcept {
     const double *const a = values, *const b = values + dim_;
     const double s = dot(a, a, dim_), ab = dot(a, b, dim_) / s, at = dot(a, target_, dim_) / s;

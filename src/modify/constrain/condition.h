@@ -16,10 +16,10 @@ enum ConstraintKind : int32_t {
     constrain_curvature, // the curvature vector of a curve is the target
 };
 
-// One constraint at a parameter. Its equations are functions of some derivatives of the spline.
+// One constraint at a parameter. Its equations are functions of some derivatives of the spline there.
 class Condition {
 public:
-    // Kind, orders and target have been checked; `param` and `target` must outlive this.
+    // Preconditions: kind, orders and target have been checked; `param` and `target` outlive this.
     Condition(int32_t kind, const eval::Orders &orders, const double *param, const double *target, int axes,
               int dim);
 
@@ -28,11 +28,12 @@ public:
     [[nodiscard]] const double *target() const noexcept { return target_; }
     [[nodiscard]] std::span<const eval::Orders> derivatives() const noexcept { return derivatives_; }
     [[nodiscard]] int equations() const noexcept { return equations_; }
-    // Whether every equation is linear in one derivative: its coefficients do not change.
+    // Whether every equation is linear in a single derivative, so that its coefficients do not change.
     [[nodiscard]] bool linear() const noexcept;
 
-    // `values` and each row of `jacobian` are [derivatives][dim]: the left sides less the right ones, and
-    // their derivatives [equations][derivatives][dim]. Also the size of the right sides, for rounding.
+    // From the derivatives, `values` [derivatives][dim]: the residuals, which are the left sides minus the
+    // right sides, and their derivatives, `jacobian` [equations][derivatives][dim]. target_size() is the size
+    // of the right sides, for bounds of rounding.
     void evaluate(const double *values, double *residual, double *jacobian) const noexcept;
     [[nodiscard]] double target_size() const noexcept { return target_size_; }
 

@@ -14,7 +14,7 @@ namespace nrb::modify {
 
 namespace {
 
-// The conditions of a curve as conditions of the same curve multiplied by powers of two.
+// The conditions of a curve, restated for the same curve multiplied by powers of two.
 class ScaledConditions {
 public:
     ScaledConditions(const Spline &curve, const std::vector<Condition> &conditions, const Powers &powers)
@@ -35,7 +35,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<Condition> &conditions() const noexcept { return scaled_; }
-    // The sizes of the left sides.
+    // The power of two by which the left side of a condition is multiplied.
     [[nodiscard]] int power(const Condition &condition) const noexcept {
         return condition.kind() == constrain_curvature ? -size_
                                                        : size_ - knots_ * condition.derivatives()[0][0];
@@ -53,7 +53,7 @@ Constrained constrained(const Spline &spline, const std::vector<Condition> &cond
                         const Columns &columns, double tolerance) {
     NetState state(spline, columns);
     if (columns.point_costs.empty() && columns.weight_costs.empty()) {
-        check_influence(state, all_equations(state, conditions, tolerance)); // which no weight has
+        check_influence(state, all_equations(state, conditions, tolerance)); // throws: nothing may change
     }
     const bool linear = std::all_of(conditions.begin(), conditions.end(),
                                     [](const Condition &condition) { return condition.linear(); });
@@ -61,7 +61,8 @@ Constrained constrained(const Spline &spline, const std::vector<Condition> &cond
                                                   : solve_by_programming(state, conditions, tolerance);
 }
 
-// The control points that act on the conditions of a curve; others may be of any size.
+// The control points that act on the conditions of a curve, for which scaling matters; others may be of any
+// size.
 std::vector<int64_t> seen_places(const Spline &curve, const std::vector<Condition> &conditions) {
     std::vector<int64_t> places;
     const KnotVector &axis = curve.axis(0);
@@ -82,8 +83,9 @@ Constrained constrain(const Spline &spline, const std::vector<Condition> &condit
                       double tolerance) {
     const UsualLimit usual(usual_work(spline.point_count() + std::ssize(conditions), 200000));
     const Columns columns = make_columns(spline, conditions, rule);
-    // Curvatures, which occur only for curves, have squares of lengths. Moves and changes of weights have no
-    // common size.
+    // Curvatures, which occur for curves only, contain squares of lengths; these curves are brought near 1 in
+    // size. That is not possible if weights may change, because moves and changes of weights have no common
+    // scale.
     const bool squares = std::any_of(conditions.begin(), conditions.end(),
                                      [](const Condition &condition) { return !condition.linear(); });
     const Powers powers = squares && columns.weight_costs.empty()

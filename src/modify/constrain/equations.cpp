@@ -18,7 +18,8 @@ double sum_of_magnitudes(const std::vector<double> &values) noexcept {
                            [](double sum, double x) { return sum + std::abs(x); });
 }
 
-// For each equation, the sum over the derivatives of a size times the coefficients.
+// The largest residual of an equation if the derivatives are off by the given sizes: the sum of the sizes
+// times the magnitudes of the coefficients.
 double largest_limit(const LocalEquations &local, const std::vector<double> &sizes, int dim) {
     double largest = 0;
     const size_t width = sizes.size() * static_cast<size_t>(dim);
@@ -63,7 +64,7 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
     condition.evaluate(values.data(), local.residual.data(), local.jacobian.data());
     local.limit = largest_limit(local, sizes, dim) + (tolerance > 0 ? 0 : rounding * condition.target_size());
     if (!(tolerance > 0) && !condition.linear() && condition.target_size() > 0) {
-        // If a derivative nearly vanishes, rounding would excuse any curvature.
+        // Where C' nearly vanishes, the limit for rounding would admit any curvature.
         local.limit = std::min(local.limit, 1e-6 * condition.target_size());
     }
     return local;

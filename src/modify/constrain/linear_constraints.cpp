@@ -13,8 +13,9 @@ namespace nrb::modify {
 
 namespace {
 
-// Equations with fixed weights, over the scaled moves. Where all conditions are values, the rows are functions and are
-// shared by the coordinates; else each equation has a row over all coordinates.
+// The linear equations for fixed weights, in the scaled moves. If all conditions are values, a row holds the
+// basis functions and serves all coordinates; otherwise each equation has a row of its own over all
+// coordinates.
 class LinearSystem {
 public:
     LinearSystem(const NetState &state, const std::vector<LocalEquations> &all)
@@ -47,7 +48,8 @@ public:
         }
         return solver_->solve(right, width_);
     }
-    // What multipliers leave of moves, as a part of them.
+    // The part of the moves that is no combination of the equations: |x - A^T lambda| / |x| for the closest
+    // lambda.
     [[nodiscard]] double optimality(const std::vector<double> &moves) const {
         const auto width = static_cast<size_t>(width_);
         double rest = 0;
@@ -62,7 +64,7 @@ public:
     }
 
 private:
-    // An equation is linear in one derivative.
+    // A row for each equation of a condition; each is linear in one derivative.
     void add_rows(const LocalEquations &local, SparseRows &rows) {
         const size_t width = local.functions.size() * static_cast<size_t>(dim_);
         for (size_t k = 0; k < local.residual.size(); ++k) {
@@ -70,7 +72,7 @@ private:
         }
     }
 
-    // `jacobian`: [derivatives][dim] of the equation, null for the functions themselves.
+    // `jacobian` is [derivatives][dim] of the equation; null: a row of the functions themselves.
     void add_row(const LocalEquations &local, const double *jacobian, SparseRows &rows) {
         for (const std::vector<double> &functions : local.functions) {
             for (size_t i = 0; i < local.points.size(); ++i) {
@@ -103,7 +105,7 @@ private:
 } // namespace
 
 Constrained solve_linear(NetState &state, const std::vector<Condition> &conditions, double tolerance) {
-    constexpr int rounds = 3; // residuals are those of the rounded control points
+    constexpr int rounds = 3; // residuals are computed from the rounded control points
     const int dim = state.start().dim();
     std::vector<LocalEquations> all = all_equations(state, conditions, tolerance);
     check_influence(state, all);

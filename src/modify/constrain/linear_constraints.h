@@ -6,7 +6,8 @@
 
 namespace nrb::modify {
 
-// See constrain(). Preconditions: all conditions are linear, the weights stay, some control point may move.
+// See constrain(). Preconditions: all conditions are linear, the weights stay, and some control point may
+// move.
 Constrained solve_linear(NetState &state, const std::vector<Condition> &conditions, double tolerance);
 
 } // namespace nrb::modify

@@ -26,7 +26,7 @@ eval::Orders highest_of(const Condition &condition) noexcept {
     return highest;
 }
 
-// Original control points that act on a condition.
+// The originals of the control points that act on a condition.
 std::vector<int64_t> acting_points(const Spline &spline, const std::vector<Condition> &conditions) {
     std::vector<int64_t> acting;
     for (const Condition &condition : conditions) {
@@ -39,7 +39,7 @@ std::vector<int64_t> acting_points(const Spline &spline, const std::vector<Condi
     return acting;
 }
 
-// Columns in the order of the originals; the `cost` of one that stays is infinite.
+// Numbers the columns in the order of the originals. The cost of one that stays is infinite.
 template <class Cost>
 void number(const Spline &spline, const std::vector<int64_t> &acting, Cost &&cost,
             std::vector<int64_t> &columns, std::vector<double> &costs) {
@@ -84,7 +84,7 @@ NetState::NetState(const Spline &spline, const Columns &columns)
         if (largest_magnitude({record, dim}) > 0) {
             fail(Status::point_not_finite, "g: control point %lld is at infinity", static_cast<long long>(i));
         }
-        std::fill_n(start_.begin() + static_cast<int64_t>(at), dim, 0.0); // without an effect
+        std::fill_n(start_.begin() + static_cast<int64_t>(at), dim, 0.0); // has no effect
     }
     points_ = start_;
     for (int64_t i = 0; (spline.rational() || !columns.weight_costs.empty()) && i < spline.point_count();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The control points and weights that constraints change, and how derivatives depend on them.
+// The control points and weights that constraints change, and how derivatives of the spline depend on them.
 #pragma once
 
 #include "eval/active_points.h"
@@ -11,15 +11,15 @@
 
 namespace nrb::modify {
 
-// What may change, and at what cost. Null means the default.
+// What may change, and at what cost. A null pointer means the default.
 struct ChangeRule {
     const int32_t *keep;        // [axes][2] orders of derivatives that stay at the ends, -1 for none
-    const double *costs;        // of moves: 1
-    const double *weight_costs; // of relative changes: weights stay
+    const double *costs;        // of moves; by default 1
+    const double *weight_costs; // of relative changes; by default weights stay
 };
 
-// A column for each control point that may move, and for each weight that may change, if it acts on a
-// condition; -1 for all others. Copies on periodic axes have the column of their original.
+// The unknowns: a column for each control point that may move, and for each weight that may change, if it
+// acts on a condition; -1 for all others. Copies on periodic axes have the column of their original.
 struct Columns {
     std::vector<int64_t> points;
     std::vector<int64_t> weights;
@@ -28,7 +28,7 @@ struct Columns {
 };
 Columns make_columns(const Spline &spline, const std::vector<Condition> &conditions, const ChangeRule &rule);
 
-// Cartesian control points and weights during an iteration.
+// The Cartesian control points and weights at a step of the iteration.
 class NetState {
 public:
     // The spline must outlive this. Throws Status::point_not_finite if there is a control point at
@@ -42,7 +42,8 @@ public:
         return weights_.empty() ? 1 : weights_[static_cast<size_t>(i)];
     }
     [[nodiscard]] bool rational() const noexcept { return !weights_.empty(); }
-    // The control points moved by e[column][dim]; the weights multiplied by 1 + r[column].
+    // Sets the control points to those of the start moved by moves[column][dim], and the weights to those of
+    // the start times 1 + changes[column].
     void set(const std::vector<double> &moves, const std::vector<double> &changes) noexcept;
     // Throws what make_result() throws.
     [[nodiscard]] SplinePtr spline() const;
@@ -55,22 +56,24 @@ private:
     std::vector<double> weights_; // empty: polynomial
 };
 
-// Rational basis functions at one parameter, for the weights of a state.
+// The rational basis functions R_i at one parameter, for the weights of a state.
 class LocalBasis {
 public:
     LocalBasis(const NetState &state, const Condition &condition);
 
     [[nodiscard]] const std::vector<int64_t> &points() const noexcept { return points_; }
-    // R_i^(a) of the active control points; a is at most a derivative of the condition along each axis.
+    // The derivatives R_i^(a) of the active control points. On each axis, a is at most the highest order of a
+    // derivative of the condition.
     [[nodiscard]] std::vector<double> functions(const eval::Orders &a) const;
-    // sum R_i^(a) P_i, from differences to the control point that contributes most.
+    // sum R_i^(a) P_i, computed from differences to the control point with the largest |R_i^(a)|.
     [[nodiscard]] std::vector<double> value(const eval::Orders &a,
                                             const std::vector<double> &functions) const;
-    // The same with magnitudes.
+    // sum |R_i^(a)| |P_i|.
     [[nodiscard]] double magnitude(const std::vector<double> &functions) const noexcept;
-    // What derivative a changes by for each relative change of a weight, w_i = w_i* (1 + r): [active][dim],
-    // times the quotient of its weight at the start and now. With w_i S = sum w N P the derivative of (S
-    // w)^(a) is
+    // The derivative of S^(a) by the relative change r of each weight, [active][dim], where w_i = w_i* (1 +
+    // r) and w_i* is the weight at the start. Because w S = sum w_j N_j P_j, the derivative of S by r is w_i*
+    // / w_i R_i (P_i - S), and that of S^(a) is w_i* / w_i times
+    //
     //     R_i^(a) P_i - sum over b <= a of binomial(a, b) R_i^(b) S^(a-b).
     [[nodiscard]] std::vector<double> weight_slopes(const eval::Orders &a) const;
 

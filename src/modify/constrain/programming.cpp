@@ -20,7 +20,7 @@ namespace {
 // All equations linearised: rows over the scaled moves and relative changes of weights, each row of length 1.
 struct Linearised {
     SparseRows rows;
-    std::vector<double> scale; // the factor of each equation that makes it so
+    std::vector<double> scale; // the factor that gives each row this length
     std::vector<double> residual;
 };
 
@@ -45,8 +45,8 @@ public:
 
 private:
     static constexpr int max_steps = 300;
-    static constexpr double enough = 1e-10;   // relative length of the last step
-    static constexpr double vanishing = 1e-9; // part of a weight
+    static constexpr double enough = 1e-10;   // relative length of a negligible step
+    static constexpr double vanishing = 1e-9; // part of its first value that a weight must keep
     static constexpr double optimal = 1e-6;   // the optimality required of a minimum
 
     [[nodiscard]] int64_t equation_count() const noexcept {
@@ -72,7 +72,7 @@ private:
         return system;
     }
 
-    // Calls visit(unknown, value) for the elements of an equation.
+    // Calls visit(unknown, value) for the coefficients of equation k of a condition.
     template <class Visit>
     void for_each_element(const LocalEquations &local, size_t k, Visit &&visit) const {
         const size_t derivatives = local.functions.size();
@@ -112,7 +112,7 @@ private:
         all_ = all_equations(state_, conditions_, tolerance_);
     }
 
-    // The largest part of a step, at most 1, that leaves every weight at least a tenth of its value.
+    // The largest fraction of a step, at most 1, that leaves every weight at least a tenth of its value.
     [[nodiscard]] double longest_step(const std::vector<double> &step) const {
         std::vector<double> moves, changes, before, old;
         split(step, moves, changes);
@@ -126,7 +126,7 @@ private:
         return part;
     }
 
-    // |x|^2 / 2 + mu |g|_1 at the present state.
+    // The merit function |x|^2 / 2 + mu |g|_1 at the present state.
     [[nodiscard]] double merit(const std::vector<double> &x, const std::vector<double> &scale) const {
         double sum = 0;
         size_t k = 0;
@@ -139,7 +139,8 @@ private:
         return length * length / 2 + penalty_ * sum;
     }
 
-    // Makes one step; returns whether it was too short to matter.
+    // Makes one step. Returns true, without one, if all conditions are met and the step would be too short to
+    // matter.
     bool advance() {
         check_finite(all_);
         const Linearised system = linearised();
@@ -156,7 +157,7 @@ private:
             return true;
         }
         const std::vector<double> multipliers = solver.multipliers(next).values;
-        const double needed = 2 * largest_magnitude(multipliers); // decreases with them (Powell 1978)
+        const double needed = 2 * largest_magnitude(multipliers); // may decrease (Powell 1978)
         penalty_ = std::max(needed, (penalty_ + needed) / 2);
         const std::vector<double> more = second_order(solver, system, multipliers, step, length_of(next));
         std::transform(step.begin(), step.end(), more.begin(), step.begin(), std::plus<>());
@@ -164,7 +165,8 @@ private:
         return false;
     }
 
-    // The sum of the multipliers times the gradients of the equations, scaled as in a system, at x.
+    // The sum of the multipliers times the gradients of the equations at x, scaled as in a system. Leaves the
+    // state at x.
     std::vector<double> weighted_gradient(const std::vector<double> &x, const Linearised &system,
                                           const std::vector<double> &multipliers) {
         std::vector<double> moves, changes, sum(unknowns_, 0.0);
@@ -181,10 +183,11 @@ private:
         return sum;
     }
 
-    // What the second derivatives of the equations add to the step d that the first ones make: z in the
-    // kernel of J with P (1 - C) z = P C d, C the sum of multipliers times Hessians, P the projection onto
-    // the kernel. Products with C are differences of gradients. 0 where 1 - C is not positive, far from a
-    // minimum.
+    // What the second derivatives of the equations add to the step d that the first derivatives make. Let C
+    // be the sum of the multipliers times the Hessians of the equations, and P the projection onto the kernel
+    // of J. Then it is the z in the kernel with P (1 - C) z = P C d. Products with C are computed as
+    // differences of gradients. The result is 0 where 1 - C is not positive definite on the kernel, far from
+    // a minimum.
     std::vector<double> second_order(const MinimumNorm &solver, const Linearised &system,
                                      const std::vector<double> &multipliers, const std::vector<double> &d,
                                      double size) {
@@ -213,7 +216,7 @@ private:
         return x;
     }
 
-    // J x - g.
+    // J x - g, the right side of the linearised equations for the next x.
     [[nodiscard]] std::vector<double> right_side(const Linearised &system) const {
         std::vector<double> right;
         for (size_t k = 0; k < system.residual.size(); ++k) {
@@ -228,7 +231,8 @@ private:
         return right;
     }
 
-    // Goes along a step as far as the merit function falls in proportion (Armijo).
+    // Line search by halving: goes along a step until the merit function has fallen in proportion to its
+    // slope (Armijo).
     void search(const Linearised &system, const std::vector<double> &step) {
         constexpr int halvings = 30;
         constexpr double share = 1e-4, rounding = 1e-14;
@@ -269,7 +273,7 @@ private:
                 optimality_};
     }
 
-    // A weight that went towards 0 is the obstacle.
+    // Fails if a weight has shrunk towards 0, which means that positive weights do not suffice.
     void check_weights() const {
         std::vector<double> moves, changes;
         split(x_, moves, changes);
@@ -286,8 +290,8 @@ private:
     double tolerance_;
     const Columns &columns_;
     size_t dim_;
-    size_t moves_;    // scaled coordinates of moves
-    size_t unknowns_; // and of weights
+    size_t moves_;    // number of scaled coordinates of moves
+    size_t unknowns_; // the same, and the number of weights
     std::vector<double> x_;
     std::vector<LocalEquations> all_;
     double penalty_ = 0;

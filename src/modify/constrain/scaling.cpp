@@ -10,7 +10,6 @@
 
 namespace nrb::modify {
 
-// Pivots below this are rounding of the basis functions, which are within 3 p eps of themselves.
 double pivot_threshold(const Spline &spline, size_t equations, int64_t unknowns) noexcept {
     double degrees = 1;
     for (int k = 0; k < spline.axes(); ++k) {

@@ -6,11 +6,11 @@
 
 namespace nrb::modify {
 
-// Pivots of equations of length 1 below this part of the largest are rounding of the basis functions, which
-// are within 3 p eps of themselves.
+// The length below which what is left of an equation of length 1 counts as 0: it is rounding of the basis
+// functions, which are within 3 p eps of themselves.
 double pivot_threshold(const Spline &spline, size_t equations, int64_t unknowns) noexcept;
 
-// `width` unknowns for each cost.
+// Turns scaled unknowns, `width` for each cost, into moves or changes.
 void divide_by_root(std::vector<double> &x, const std::vector<double> &costs, size_t width) noexcept;
 
 double length_of(const std::vector<double> &x) noexcept;

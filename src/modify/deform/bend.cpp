@@ -14,7 +14,7 @@ namespace nrb::modify {
 
 namespace {
 
-// Scaled by a power of two first, so that no length over- or underflows.
+// Makes x a unit vector. It is first scaled by a power of two, so that no length over- or underflows.
 void normalise(std::vector<double> &x) noexcept {
     const int exponent = -std::ilogb(largest_magnitude(x));
     for (double &value : x) {
@@ -33,7 +33,7 @@ Bend make_bend(int dim, const double *origin, const double *along, const double 
     std::vector<double> e(along, along + dim), n(across, across + dim);
     normalise(e);
     normalise(n);
-    for (int twice = 0; twice < 2; ++twice) { // the second time because of the rounding of the first
+    for (int twice = 0; twice < 2; ++twice) { // the second pass removes the rounding of the first
         const double part = dot(e, n);
         for (size_t c = 0; c < n.size(); ++c) {
             n[c] -= part * e[c];
@@ -59,9 +59,10 @@ double along_of(const Bend &bend, const double *point) noexcept {
     return a;
 }
 
-// With h = k u / 2, where u is a in the bent part and its end beyond it: (1/k + b) sin(k u) = u sinc(2 h) + b
-// sin(2 h), and (1/k + b) cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), which are accurate for any
-// curvature.
+// Let u be a in the bent part, and the end of that part for a beyond it; let h = k u / 2. Then (1/k + b)
+// sin(k u) = u sinc(2 h) + b sin(2 h) and (1/k + b) cos(k u) - 1/k = b cos(2 h) - u sinc(h) sin(h), where
+// sinc(x) = sin(x) / x. These forms are accurate for any curvature. Beyond the end the image goes on straight
+// for a - u.
 void bend_point(const Bend &bend, BendPart part, double a, const double *point, double *image) noexcept {
     double b = 0;
     for (size_t c = 0; c < bend.across.size(); ++c) {

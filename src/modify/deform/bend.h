@@ -6,7 +6,8 @@
 
 namespace nrb::modify {
 
-// Unit vectors along and across, at right angles, and the part between lower and upper that is bent.
+// A bend F of curvature k: perpendicular unit vectors e (along) and n (across), and the bent part, the points
+// whose coordinate along e is between lower and upper.
 struct Bend {
     const double *origin;
     std::vector<double> along;
@@ -16,16 +17,17 @@ struct Bend {
     double upper;
 };
 
-// `across` made perpendicular, both made unit vectors. Throws Status::direction if they are parallel.
-// Precondition: neither is 0.
+// Makes `across` perpendicular to `along`, and both unit vectors. Throws Status::direction if they are
+// parallel. Precondition: neither is 0.
 Bend make_bend(int dim, const double *origin, const double *along, const double *across, double curvature,
                double lower, double upper);
 
-// Where a point is: F is a different formula on each part.
+// The parts of space; F has a different formula on each.
 enum class BendPart { before, bent, after };
 
-// The formula of one part, x + (a' - a) e + (b' - b) n, whether the point lies in that part or not; and the
-// formula of the point's own part.
+// The image x + (a' - a) e + (b' - b) n of a point x with the coordinates a along e and b along n. The first
+// function uses the formula of one part, whether x lies in that part or not; the second one that of the part
+// in which x lies.
 void bend_point(const Bend &bend, BendPart part, const double *point, double *image) noexcept;
 void bend_point(const Bend &bend, const double *point, double *image) noexcept;
 

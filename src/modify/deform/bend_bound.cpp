@@ -20,8 +20,8 @@ namespace {
 
 using Series = std::vector<double>; // coefficients from order 0 on, none negative
 
-// Bounds of the Taylor coefficients of a Bernstein polynomial along an axis of a shape, at every point of it:
-// of order j binomial(p, j) times the largest j-th difference.
+// Bounds of the Taylor coefficients of a Bernstein polynomial along an axis, at every point of its domain:
+// for order j, binomial(p, j) times the largest j-th difference of its coefficients, `values`.
 Series taylor_bounds(const BernsteinShape &shape, size_t axis, std::vector<double> values) {
     const int p = shape.degrees[axis];
     int64_t inner = 1;
@@ -34,7 +34,7 @@ Series taylor_bounds(const BernsteinShape &shape, size_t axis, std::vector<doubl
     for (int j = 0; j <= p; ++j) {
         double largest = 0;
         for (int64_t i = 0; i < size; ++i) {
-            if (i / inner % (p + 1) <= p - j) { // the others make no difference any more
+            if (i / inner % (p + 1) <= p - j) { // the last j values of a row are no j-th differences
                 largest = std::max(largest, std::abs(values[static_cast<size_t>(i)]));
             }
         }
@@ -47,7 +47,7 @@ Series taylor_bounds(const BernsteinShape &shape, size_t axis, std::vector<doubl
     return bounds;
 }
 
-// numerator / (least - rest) without the constants of numerator and rest.
+// The series of numerator / (least - rest), where the constants of numerator and rest are taken as 0.
 Series quotient(const Series &numerator, const Series &rest, double least) {
     Series result(numerator.size(), 0.0);
     for (size_t n = 1; n < result.size(); ++n) {
@@ -60,7 +60,7 @@ Series quotient(const Series &numerator, const Series &rest, double least) {
     return result;
 }
 
-// exp of a series without a constant.
+// exp of a series, whose constant is taken as 0.
 Series exponential(const Series &series) {
     Series result(series.size(), 0.0);
     result[0] = 1;
@@ -73,7 +73,7 @@ Series exponential(const Series &series) {
     return result;
 }
 
-// The coefficients of w a, w b and w on one cell.
+// The Bernstein coefficients of w a, w b and w on one cell.
 struct CellPieces {
     BernsteinShape shape;
     std::vector<double> along;
@@ -81,7 +81,7 @@ struct CellPieces {
     std::vector<double> weights;
 
     [[nodiscard]] double least_weight() const { return *std::min_element(weights.begin(), weights.end()); }
-    // The range of a, whose values are means of these quotients.
+    // Bounds of a on the cell: its values are means of these quotients (convex hull property).
     [[nodiscard]] Interval range() const {
         Interval range{infinity, -infinity};
         for (size_t i = 0; i < along.size(); ++i) {
@@ -92,7 +92,7 @@ struct CellPieces {
     }
 };
 
-// The bound of order p + 1 of (w / k + w b) exp(i k a) along an axis.
+// A bound of the Taylor coefficient of order p + 1 of (w / k + w b) exp(i k a) along an axis.
 double remainder_along(const CellPieces &cell, size_t axis, double curvature) {
     const auto [lower, upper] = cell.range();
     const double middle = lower + (upper - lower) / 2;
@@ -154,7 +154,7 @@ public:
             }
         }
         const double rounding = 4096 * eps * largest_;
-        if (rounding > tolerance) { // cuts would bring no proof
+        if (rounding > tolerance) { // cuts could not lead to a proof
             for (std::vector<char> &spans : cuts) {
                 std::fill(spans.begin(), spans.end(), 0);
             }
@@ -222,7 +222,8 @@ private:
         return {bound, before > 0 || after > 0};
     }
 
-    // By how much the formulas of two parts differ at most, if a is `beyond` past the end between them.
+    // A bound of the difference between the formulas of two neighbouring parts at points whose a is at most
+    // `beyond` past the end between them.
     [[nodiscard]] double formula_gap(const CellPieces &cell, double beyond) const {
         double reach = 0;
         for (size_t i = 0; i < cell.across.size(); ++i) {
@@ -245,7 +246,7 @@ private:
         return sum;
     }
 
-    // Lambda max |w F(A / w) - B| over the nodes of a cell.
+    // Lambda max |w F(A / w) - B| over the nodes of a cell, with the product of the Lambdas of all axes.
     [[nodiscard]] double node_error(int64_t piece, BendPart part) {
         std::array<int64_t, max_axes> cells{}, sizes{1, 1, 1}, rows{1, 1, 1};
         double factor = 1;

@@ -40,7 +40,7 @@ std::vector<double> product_integrals(int m) {
     return integrals;
 }
 
-// Bernstein coefficients of the derivative of a function of a span, in place.
+// Replaces the Bernstein coefficients of a polynomial on a span of a length by those of a derivative.
 void differentiate(double *coefficients, int degree, int order, double length) noexcept {
     for (int r = 0; r < order; ++r, --degree) {
         for (int k = 0; k < degree; ++k) {
@@ -49,15 +49,15 @@ void differentiate(double *coefficients, int degree, int order, double length) n
     }
 }
 
-// Integrals of products of the functions of a span, whose coefficients are `functions`, [degree + 1][degree + 1] of
-// which the first m + 1 of a row count.
+// The integrals of products of the functions of a span. `functions` holds their Bernstein coefficients,
+// [degree + 1][degree + 1], of which the first m + 1 of a row count.
 class SpanProducts {
 public:
     explicit SpanProducts(int degree, int m)
         : width_(degree + 1), size_(m + 1), integrals_(product_integrals(m)),
           rows_(static_cast<size_t>(width_ * size_)) {}
 
-    // The functions times the integrals.
+    // Takes the functions, and multiplies them by the matrix of integrals.
     void set(const double *functions) {
         functions_ = functions;
         for (int j = 0; j < width_; ++j) {
@@ -83,7 +83,7 @@ private:
     const double *functions_ = nullptr;
 };
 
-// Integrals of products of derivatives of the functions of one axis.
+// The integrals of products of derivatives of the basis functions of one axis.
 AxisMatrix axis_matrix(const KnotVector &axis, int order) {
     AxisMatrix matrix(axis);
     const int p = axis.degree(), width = p + 1;
@@ -109,7 +109,7 @@ AxisMatrix axis_matrix(const KnotVector &axis, int order) {
     return matrix;
 }
 
-// Layers of an axis whose functions overlap those of a layer.
+// The layers of an axis whose functions overlap that of a layer.
 struct Band {
     int64_t first;
     int64_t end;
@@ -173,7 +173,8 @@ private:
         return entries;
     }
 
-    // The product of masses so far, and the sum of products in which one factor is of derivatives.
+    // Products of entries of the axes so far: that of the masses (integrals of products of functions), and
+    // the sum of those in which one factor is an integral of derivatives instead.
     struct Factors {
         double mass = 1;
         double bend = 0;

@@ -25,7 +25,7 @@ namespace nrb::modify {
 
 namespace {
 
-// w (P - centre) of the first copies, 0 of the others.
+// w (P - centre) of the originals, 0 for their copies on periodic axes.
 std::vector<double> centred(const Spline &spline, const std::vector<double> &centre) {
     const size_t dim = centre.size();
     std::vector<double> x(static_cast<size_t>(spline.point_count()) * dim, 0.0);
@@ -43,7 +43,7 @@ std::vector<double> centred(const Spline &spline, const std::vector<double> &cen
 
 // The control points that may move, numbered.
 struct Unknowns {
-    std::vector<int64_t> number; // by control points, -1: stays or is a copy
+    std::vector<int64_t> number; // for each control point; -1: it stays or is a copy
     std::vector<int64_t> points;
 };
 Unknowns unknowns_of(const Spline &spline, const int32_t *keep) {
@@ -95,11 +95,11 @@ public:
     }
 
 private:
-    static constexpr double least = -12, most = 12; // decimal logarithm of rho, in units of the matrix
-    static constexpr int most_places = 40;          // of rho that are tried
-    static constexpr double enough = 4e-5;          // decimal logarithm of the tolerance over the distance
-    static constexpr double narrowest = 1.5e-6;     // interval of the logarithm of rho
-    static constexpr int64_t work_of_an_entry = 8;  // which is moved
+    static constexpr double least = -12, most = 12; // range of log10 of rho, in units of trace K / trace D
+    static constexpr int most_places = 40;          // number of values of rho that are tried
+    static constexpr double enough = 4e-5;          // log10 of tolerance / distance that suffices
+    static constexpr double narrowest = 1.5e-6;     // interval of log10 of rho
+    static constexpr int64_t work_of_an_entry = 8;  // of moving an entry
 
     // The part of the matrix that belongs to unknowns.
     [[nodiscard]] std::vector<Entry> reduced() const {
@@ -115,7 +115,7 @@ private:
         return entries;
     }
 
-    // The factor that makes a unit of X a unit of length.
+    // D: the factors 1 / w^2 with which squares of X are squares of lengths.
     [[nodiscard]] std::vector<double> metric() const {
         std::vector<double> diagonal;
         for (const int64_t point : unknowns_.points) {
@@ -124,7 +124,8 @@ private:
         return diagonal;
     }
 
-    // Control points are coupled where their functions overlap.
+    // The elimination order of the unknowns on the grid of control points, which are coupled where their
+    // functions overlap.
     [[nodiscard]] std::vector<int64_t> elimination_order() const {
         std::array<GridAxis, max_axes> axes;
         for (int k = 0; k < spline_->axes(); ++k) {
@@ -160,7 +161,8 @@ private:
         take_part();
     }
 
-    // For large rho the solution is -D^-1 K X_0 / rho: where it would be as far away as is allowed.
+    // log10 of the first rho, in units of `unit`. For large rho the solution is -D^-1 K X_0 / rho; this is
+    // the rho for which that would be as far away as is allowed.
     double start(const std::vector<double> &diagonal, double unit) {
         std::vector<double> step = right_;
         for (size_t i = 0; i < step.size(); ++i) {
@@ -171,9 +173,11 @@ private:
         return std::clamp(std::log10(bound / tolerance_), least, most);
     }
 
-    // The distance falls with rho, at most in proportion to 1 / rho. In logarithms, from a first place on: steps that
-    // end on the same side until they do not, then the secant between both sides, with the rule that halves the value of
-    // a side that stays (Dowell & Jarratt, BIT 11 (1971)).
+    // Finds log10 of the rho at which distance_at() just stays within the tolerance, beginning at `first`.
+    // The distance falls with rho, at most in proportion to 1 / rho. Both are taken as logarithms. While all
+    // places are on one side of the root, steps go towards the other side; then secants between both sides
+    // follow, with the rule that halves the value of a side that stays (the Illinois method; Dowell &
+    // Jarratt, BIT 11 (1971)).
     template <class Distance>
     void find_root(double first, const Distance &distance_at) {
         struct Side {
@@ -193,7 +197,7 @@ private:
                 other->value /= 2;
             } else if (own && !other) {
                 slope = std::clamp((own->value - side.value) / (at - own->at), 1e-3, 1.0);
-                longest = 2 * std::abs(at - own->at); // the distance may fall faster farther on
+                longest = 2 * std::abs(at - own->at); // the distance may fall faster there
             }
             own = side;
             stayed = &other;
@@ -212,7 +216,8 @@ private:
         }
     }
 
-    // How far the solution for a rho is; it is taken if that is within the tolerance.
+    // A bound of the distance of the solution for a rho. If it is within the tolerance, the solution is
+    // taken; if not, it is kept for take_part().
     double distance_of(SparseSystem &system, double rho) {
         const Phase phase(0.1);
         std::vector<double> step;
@@ -230,7 +235,7 @@ private:
         return bound;
     }
 
-    // Of the last solution that is too far, as much as the tolerance allows.
+    // Takes as much of the last solution that is too far as the tolerance allows.
     void take_part() {
         if (far_step_.empty()) {
             return;
@@ -242,7 +247,7 @@ private:
         }
     }
 
-    // Keeps what has the least energy.
+    // Keeps the candidate if it has the least energy so far.
     void take(const SplinePtr &candidate, double bound) {
         const std::vector<double> x = centred(*candidate, centre_);
         const double energy = compensated_dot(x, times(entries_, x, spline_->dim()));
@@ -253,7 +258,7 @@ private:
         }
     }
 
-    // Null if a value overflows.
+    // The spline with the unknowns moved by a part of a step; null if a value overflows.
     [[nodiscard]] SplinePtr moved_by(const std::vector<double> &step, double part) const {
         if (!std::isfinite(largest_magnitude(step)) || !std::isfinite(part)) {
             return nullptr;
@@ -281,7 +286,7 @@ private:
     double far_bound_ = 0;
 };
 
-// At least x 2^exponent.
+// x 2^exponent, rounded up.
 double rounded_up(double x, int exponent) noexcept {
     const double scaled = std::ldexp(x, exponent);
     return std::ldexp(scaled, -exponent) < x ? std::nextafter(scaled, HUGE_VAL) : scaled;

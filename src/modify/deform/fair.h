@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes made smooth within a tolerance.
+// Fairing: shapes of less energy within a tolerance.
 #pragma once
 
 #include "spline/spline.h"
@@ -13,13 +13,14 @@ struct Faired {
     double bound; // proven, of the distance to the given spline
 };
 
-// See nurbs_fair(). With X = w (P - centre) the energy is X^T K X (energy.h), and (K + rho D) (X - X_0) = -K
-// X_0 has the least energy among the splines whose control points are as near, measured by sum |P_i -
-// P_i0|^2. rho is found by secants in logarithms; the bound of deviation() decides. From the last solution that is
-// too far, as large a part is taken as the tolerance allows; this lowers the energy as well, because it is
-// convex. Layers that act on derivatives that stay, stay. Throws Status::degree, not_representable, overflow.
-// keep: [axes][2] or null. Cost: some 8 solutions of a sparse system of the size of the net, and as many
-// deviations.
+// See nurbs_fair(). With X = w (P - centre) the energy is X^T K X (energy.h). With D the diagonal matrix of 1
+// / w^2, the solution of (K + rho D) (X - X_0) = -K X_0 has the least energy among the splines whose control
+// points are as near as its own, measured by sum |P_i - P_i0|^2. rho is found by secants in logarithms; the
+// bound of deviation() decides whether a solution is within the tolerance. Of the last solution that is too
+// far away, as large a part is taken as the tolerance allows; this lowers the energy as well, because the
+// energy is convex. Layers that act on derivatives to be kept stay. `keep` is [axes][2] or null. Throws
+// Status::degree, not_representable, overflow. Cost: some 8 solutions of a sparse system of the size of the
+// net, and as many deviations.
 Faired fair(const SplinePtr &spline, int order, const int32_t *keep, double tolerance);
 
 } // namespace nrb::modify

@@ -20,7 +20,8 @@ std::vector<double> unit_vector(const double *x, int dim) {
     return unit;
 }
 
-// x - ((x - w point) . n / (d . n)) d, of a record of weight w.
+// Projects a record x of weight w along d onto the plane with the normal n: x - ((x - w point) . n / (d . n))
+// d.
 class Projection {
 public:
     Projection(const double *point, const double *normal, const double *direction, int dim)
@@ -37,7 +38,7 @@ public:
             x /= slope;
         }
     }
-    // The length by which the control point moved.
+    // Returns the length by which the record moved.
     double operator()(double *record, double weight) const noexcept {
         double height = 0;
         for (size_t c = 0; c < along_.size(); ++c) {
@@ -52,9 +53,10 @@ public:
 private:
     const double *point_;
     std::vector<double> normal_;
-    std::vector<double> along_; // the step to a plane at distance 1
+    std::vector<double> along_; // the step along the direction that gains a height of 1
 };
 
+// For each control point, 1 if its basis function vanishes outside the part.
 std::vector<char> inner_points(const Spline &spline, const Part &part) {
     std::vector<char> inner(static_cast<size_t>(spline.point_count()), 1);
     for (int k = 0; k < spline.axes(); ++k) {
@@ -62,7 +64,7 @@ std::vector<char> inner_points(const Spline &spline, const Part &part) {
         const KnotVector &axis = spline.axis(k);
         std::vector<char> layers(static_cast<size_t>(view.count), 0);
         for (int64_t i = 0; i < view.count;
-             ++i) { // a copy of a layer may be inside the part although the layer itself is not
+             ++i) { // a copy of a layer may be inside the part even if the layer itself is not
             if (inside(axis, i, part[static_cast<size_t>(k)])) {
                 layers[static_cast<size_t>(i % axis.distinct_layers())] = 1;
             }

@@ -17,6 +17,7 @@ namespace nrb::modify {
 
 namespace {
 
+// The box, and its affine map A to the domain of the volume.
 class Box {
 public:
     Box(const Spline &volume, const double *lower, const double *upper) : lower_(lower), upper_(upper) {
@@ -30,7 +31,7 @@ public:
         return (domains_[k].upper - domains_[k].lower) / (upper_[k] - lower_[k]);
     }
     [[nodiscard]] double offset(size_t k) const noexcept { return domains_[k].lower - scale(k) * lower_[k]; }
-    // A x, moved to the boundary if rounding would take it outside.
+    // Coordinate k of A x, clamped to the domain. Throws if x is outside the box by more than rounding.
     [[nodiscard]] double parameter(size_t k, double x) const {
         const double rounding = 64 * eps * std::max(std::abs(lower_[k]), std::abs(upper_[k]));
         if (x < lower_[k] - rounding || x > upper_[k] + rounding) {
@@ -58,8 +59,8 @@ SplinePtr in_parameters(const Spline &curve, const Box &box) {
     return refine::transform(curve, {dim, dim, matrix.data()}, offset.data());
 }
 
-// 0 if the degree would be too high, or if the curve is rational or moves on a line, on which it may turn
-// back.
+// The degree of the exact image of a curve; 0 if it is not to be composed: if the degree would be too high,
+// if the curve is rational, or if it moves on a line, on which it may turn back.
 int image_degree(const Spline &spline, const Spline &volume) noexcept {
     int degree = 0;
     for (int k = 0; k < volume.axes(); ++k) {
@@ -70,7 +71,7 @@ int image_degree(const Spline &spline, const Spline &volume) noexcept {
     return composed && degree <= max_degree ? degree : 0;
 }
 
-// Packed points at packed parameters.
+// Points of the volume at packed parameters, in parts between which a watched call may end.
 void evaluate_watched(const Spline &volume, const std::vector<double> &params, std::vector<double> &points) {
     constexpr int64_t part = 1024, work_of_a_point = 200;
     const int64_t dim = volume.dim(), count = std::ssize(params) / dim;

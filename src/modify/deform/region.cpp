@@ -9,7 +9,7 @@ namespace nrb::modify {
 
 namespace {
 
-// The knots that are missing at the ends of a range.
+// The ends of a range that are not knots yet.
 std::vector<double> missing_ends(const KnotVector &axis, Interval range) {
     std::vector<double> missing;
     for (const double end : {range.lower, range.upper}) {
@@ -20,7 +20,7 @@ std::vector<double> missing_ends(const KnotVector &axis, Interval range) {
     return missing;
 }
 
-// The knots that give each of `cells` equal parts of a range a knot.
+// The knots to insert so that each of `cells` equal parts of a range has a knot.
 std::vector<double> filling(const KnotVector &axis, Interval range, int cells) {
     std::vector<double> knots;
     for (int i = 1; i < cells; ++i) {

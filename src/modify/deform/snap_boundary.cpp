@@ -68,8 +68,8 @@ Pair compatible_along(const SplinePtr &g, int along, SplinePtr other, int other_
     return {std::move(fine), raised(other, other_along, 1)};
 }
 
-// The homogeneous records of the layers at a boundary, 0 the boundary itself; the records of a layer stand
-// side by side, with a weight.
+// The homogeneous records of a spline by layers, counted from a boundary: layer 0 is the boundary itself, and
+// record i of a layer is the i-th one along the boundary.
 class Layers {
 public:
     Layers(const Spline &spline, Boundary boundary)
@@ -92,7 +92,8 @@ public:
         }
         return sum;
     }
-    // The factor of a difference of the first two layers in the derivative across: degree / knot difference.
+    // The derivative across the boundary is a difference of the first two layers times this: the degree over
+    // a difference of knots.
     [[nodiscard]] double slope() const noexcept { return slope_; }
     // The sum over the control points of slope |w_1 / w_0 (P_1 - P_0)|.
     [[nodiscard]] double speed() {
@@ -137,7 +138,7 @@ void check_orders(const Spline &g, const Spline &other, Boundary boundary, Bound
     }
 }
 
-// A_1 for the given A_0.
+// Sets A_1, the layer next to the boundary.
 void set_second_layer(Layers &own, Layers &other, double factor) {
     const double speed = own.speed(), other_speed = other.speed();
     if (!(speed > 0) || !(other_speed > 0)) {
@@ -167,8 +168,8 @@ void set_first_layer(Layers &own, Layers &other, double factor) {
     }
 }
 
-// Cartesian coordinates of layers that did not change are kept; those of the boundary are the coordinates of
-// the other one.
+// The spline of the changed records; the first `changed` layers from the boundary have changed. Cartesian
+// coordinates of the other layers are kept, and those of the boundary are copied from the other spline.
 SplinePtr assembled(const Spline &g, Boundary boundary, const Spline &other, Boundary other_boundary,
                     std::vector<double> records, int64_t changed) {
     const Form form = std::max(g.form(), other.form());

@@ -16,7 +16,7 @@ namespace nrb::modify {
 
 namespace {
 
-// A B-spline, as the function of one layer of an axis.
+// A B-spline as the function of one layer of an axis, and its largest value.
 struct Bump {
     KnotVectorPtr axis;
     int64_t layer;
@@ -40,7 +40,7 @@ std::vector<double> even_knots(Interval range, int degree, int k) {
     return knots;
 }
 
-// The value of the B-spline over these knots in the middle of them.
+// The value of the B-spline over these knots in the middle of its support.
 double peak_of(const std::vector<double> &own) {
     const auto degree = static_cast<int64_t>(own.size()) - 2;
     std::vector<double> knots(static_cast<size_t>(degree), own.front());
@@ -53,7 +53,7 @@ double peak_of(const std::vector<double> &own) {
     return values[2 * degree - span];
 }
 
-// Knots of the domain: those of the bump between ends of multiplicity degree + 1.
+// The bump on a clamped axis over the domain, with the knots of the bump inside.
 Bump open_bump(const KnotVector &axis, const std::vector<double> &own) {
     const auto degree = static_cast<int>(own.size()) - 2;
     const double lower = axis.domain().lower, upper = axis.domain().upper;
@@ -66,7 +66,7 @@ Bump open_bump(const KnotVector &axis, const std::vector<double> &own) {
     return {make_knot_vector(degree, std::move(knots)), layer, peak_of(own)};
 }
 
-// One period of knots from the lower end on, continued on both sides.
+// The bump on a periodic axis: one period of knots from the lower end of the domain, continued on both sides.
 Bump periodic_bump(const KnotVector &axis, const std::vector<double> &own) {
     const size_t degree = own.size() - 2;
     const double lower = axis.domain().lower, upper = axis.domain().upper;

@@ -7,11 +7,11 @@
 namespace nrb::modify {
 
 // See nurbs_warp(). The bump along an axis is the B-spline of degree order + 1 over order + 3 even knots of
-// the range, divided by its value in the middle, where it is largest: it has the least degree of all
-// piecewise polynomials with that many derivatives. It has a knot vector of its own over the domain of the
-// spline, periodic if that is, and is added exactly (refine/algebra/sum.h): the degree becomes at least order
-// + 1, with weights the sum of both. Throws what sum() throws, and Status::knots_merge if the range has too
-// few doubles. Preconditions: the direction is not 0, order >= 0.
+// the range, divided by its value in the middle, where it is largest. Of all piecewise polynomials with that
+// many continuous derivatives it has the least degree. It has a knot vector of its own over the domain of the
+// spline, periodic if the axis is, and is added exactly (refine/algebra/sum.h): the degree becomes at least
+// order + 1, and with weights the sum of both degrees. Throws what sum() throws, and Status::knots_merge if
+// the range has too few doubles. Preconditions: the direction is not 0, order >= 0.
 SplinePtr warp(const SplinePtr &spline, const Part &part, const double *direction, double distance,
                int order);
 

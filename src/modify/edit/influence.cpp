@@ -44,8 +44,8 @@ void add_functions(const Spline &spline, const eval::ActivePoints &active, std::
     });
 }
 
-// sum N_j w_j (P_j - Q), of the chosen control points or of the others; a point at infinity contributes N_j
-// A_j.
+// sum N_j w_j (P_j - Q) over the chosen control points or over the others; a point at infinity contributes
+// N_j times its direction.
 std::vector<double> weighted_offset(const Spline &spline, const eval::ActivePoints &active,
                                     std::span<const int64_t> originals, bool chosen,
                                     const std::vector<double> &centre) {
@@ -81,7 +81,8 @@ Contribution started(const Spline &spline, const eval::ActivePoints &active,
     return sums;
 }
 
-// Measured from the first of them that has a weight, so that places far from the origin lose no accuracy.
+// The mean of the originals, computed relative to the first one whose weight is not 0, so that places far
+// from the origin lose no accuracy.
 std::vector<double> mean_place(const Spline &spline, const eval::ActivePoints &active,
                                std::span<const int64_t> originals, double weight) {
     const auto first = std::find_if(originals.begin(), originals.end(),
@@ -96,7 +97,7 @@ std::vector<double> mean_place(const Spline &spline, const eval::ActivePoints &a
     return centre;
 }
 
-// A list of indices, as long as there is space.
+// The text of a list of indices, cut off where there is no more space.
 class IndexList {
 public:
     void add(int64_t index) noexcept {
@@ -127,7 +128,7 @@ struct ParameterText {
     char text[120] = "";
 };
 
-// R_i of all active points, copies added to their originals and set to 0 themselves.
+// R_i of all active control points; copies are added to their originals and become 0 themselves.
 class Influences {
 public:
     Influences(const Spline &spline, size_t size) : spline_(spline), points_(size), values_(size) {}
@@ -145,7 +146,7 @@ public:
         }
         join_copies();
     }
-    // The place of the largest one, with the lowest index if there are several.
+    // The position of the largest |R_i|; of several, that of the control point with the lowest index.
     [[nodiscard]] size_t largest() const noexcept {
         size_t best = 0;
         for (size_t i = 1; i < values_.size(); ++i) {

@@ -30,8 +30,9 @@ int64_t layer_of(const AxisView &view, int64_t point) noexcept {
     return point / view.inner % view.count;
 }
 
-// w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|). Without weights, where the Cartesian points are combined,
-// the ratio itself.
+// The ratio in which the knot divides the knots of a leg, for the point Q at a ratio of the leg from P_i to
+// P_j: w_i |Q - P_i| / (w_i |Q - P_i| + w_j |P_j - Q|). If both weights are 0, Cartesian points are combined,
+// and it is the ratio itself.
 double rational_ratio(const Spline &spline, int64_t from, int64_t to, double ratio) {
     const double before = spline.weight(from), after = spline.weight(to);
     if (ratio == 0 || ratio == 1 || (before == 0 && after == 0)) {
@@ -45,11 +46,11 @@ double rational_ratio(const Spline &spline, int64_t from, int64_t to, double rat
             static_cast<long long>(from), static_cast<long long>(to), Number(before).text,
             Number(after).text);
     }
-    // Two quotients rather than products of weights, which might overflow.
+    // Quotients, because products of weights might overflow.
     return ratio / (ratio + (1 - ratio) * (after / before));
 }
 
-// The knot at a ratio of the knots of leg `layer`.
+// The knot at the ratio s between the knots t_(i+1) and t_(i+p+1) of leg i = `layer`.
 double knot_at(const KnotVector &axis, int64_t layer, double s) noexcept {
     const double lower = axis[layer + 1], upper = axis[layer + axis.degree() + 1];
     const double length = upper - lower;
@@ -57,9 +58,9 @@ double knot_at(const KnotVector &axis, int64_t layer, double s) noexcept {
     return std::clamp(knot, lower, upper);
 }
 
-// The same with the knots of the period in which it is inside the domain; the end of the domain is its start.
-// Only copies of layers have legs that reach below the domain or beyond it; those layers are inside one
-// period away.
+// The same on a periodic axis, with the copy of the leg in the period in which the knot is inside the domain;
+// the end of the domain counts as its start. Only legs between copies of layers reach out of the domain, and
+// one period away they are inside.
 double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
     const auto [lower, upper] = axis.domain();
     double knot = knot_at(axis, layer, s);
@@ -71,8 +72,8 @@ double periodic_knot(const KnotVector &axis, int64_t layer, double s) noexcept {
     return knot >= lower && knot < upper ? knot : lower;
 }
 
-// If knots of a leg reach over more than a period, copies of the new knot would be among them, and the
-// control point would be a different one.
+// If the knots of a leg reached over more than a period, copies of the new knot would be among them, and the
+// new control point would not be the wanted point.
 void check_period(const KnotVector &axis, int k) {
     if (axis.periodic() && axis.distinct_layers() < axis.degree()) {
         fail(Status::periodic,
@@ -91,7 +92,8 @@ void check_room(const KnotVector &axis, int k, double knot) {
     }
 }
 
-// Boehm's means, for t_span <= knot < t_(span + 1) outside the domain. New layer i counts from 1 below it.
+// Boehm's knot insertion for t_span <= knot < t_(span + 1) outside the domain. Below it the new layer 0 is
+// dropped, and so i counts from 1.
 refine::AxisTable table_outside(const KnotVector &axis, double knot) {
     const bool below = knot < axis.domain().lower;
     const int p = axis.degree();
@@ -145,7 +147,7 @@ LegInsertion insert_on_leg(const SplinePtr &spline, int axis, int64_t point, dou
 
 namespace {
 
-// The distance of the point from the leg between two control points.
+// The leg between two control points, with its place nearest to the point.
 Leg leg_at(const Spline &spline, int64_t from, int64_t to, const double *point) noexcept {
     const int dim = spline.dim();
     const auto along = [&](int c) { return spline.coordinate(to, c) - spline.coordinate(from, c); };

@@ -11,7 +11,7 @@ namespace nrb::modify {
 
 namespace {
 
-// Whether layers of an axis act on derivatives up to an order at an end of the domain.
+// For each layer of an axis, whether it acts on derivatives up to an order at an end of the domain.
 std::vector<char> acting_layers(const KnotVector &axis, bool upper, int order) {
     std::vector<char> acting(static_cast<size_t>(axis.count()), 0);
     if (order < 0) {

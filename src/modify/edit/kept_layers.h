@@ -8,8 +8,9 @@
 
 namespace nrb::modify {
 
-// For each control point (copies count with the first one), whether it acts on a derivative up to
-// keep[k][end] at the start or the end of axis k. -1 stands for none, a null keep for none at all.
+// For each control point, 1 if it acts on a derivative of an order up to keep[k][end] at the start or the end
+// of an axis k, else 0; copies count with their original. The order -1 keeps nothing at that end, and a null
+// `keep` nothing at all.
 std::vector<char> kept_points(const Spline &spline, const int32_t *keep);
 
 } // namespace nrb::modify

@@ -12,7 +12,7 @@ bool has_periodic_axis(const Spline &spline) noexcept {
                        [](const KnotVectorPtr &axis) { return axis->periodic(); });
 }
 
-// `width` values for each control point.
+// Copies the values of originals to their copies; there are `width` values for each control point.
 void copy_originals(const Spline &spline, int width, std::vector<double> &values) noexcept {
     for (int64_t i = 0; i < spline.point_count() && !values.empty(); ++i) {
         const int64_t from = original_of(spline, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control points and weights of a spline replaced one by one; copies on periodic axes are replaced with them.
+// Replaces control points and weights of a spline one by one; copies on periodic axes follow their originals.
 #pragma once
 
 #include "spline/spline.h"
@@ -17,7 +17,8 @@ public:
     explicit NetEditor(const Spline &spline);
 
     // Replaces the weight of an original control point, which keeps its place. A polynomial spline becomes
-    // rational. Throws Status::point_not_finite if the control point has no place.
+    // rational. Throws Status::point_not_finite if the control point is homogeneous and of weight 0, and so
+    // has no place.
     void set_weight(int64_t point, double weight);
     // Moves an original control point by scale * offset; its weight stays.
     void move(int64_t point, const double *offset, double scale) noexcept;

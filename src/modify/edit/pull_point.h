@@ -11,8 +11,9 @@ struct PointEdit {
     SplinePtr spline;
 };
 
-// P_i + alpha V with alpha = d / (|V| R_i(t)). Throws Status::influence, not_representable. Preconditions:
-// the parameter has been checked, the direction is not 0, `original` is a first copy (net_editor.h).
+// Moves the control point P_i to P_i + alpha V with alpha = d / (|V| R_i(t)), so that the point at t moves by
+// d along V. Throws Status::influence, not_representable. Preconditions: the parameter has been checked, the
+// direction V is not 0, `original` is an original (net_editor.h).
 PointEdit pull_point(const Spline &spline, int64_t original, const double *param, const double *direction,
                      double distance);
 

@@ -27,14 +27,14 @@ double checked_weight(double weight, int64_t point) {
     return weight;
 }
 
-// -|S B|, infinite if the others make no point.
+// -|S B|; infinite if the others make no point.
 double lowest_distance(const Contribution &sums) noexcept {
     return -sums.reach() * std::abs(sums.weight / sums.rest);
 }
 
 double factor_for(const Contribution &sums, double distance) {
     const double reach = sums.reach();
-    if (!(distance < reach)) { // is not finite either
+    if (!(distance < reach)) { // also if it is not finite
         fail(Status::length, "distance = %s, expected less than %s, the distance to the control points",
              Number(distance).text, Number(reach).text);
     }
@@ -53,7 +53,7 @@ WeightEdit pull_weights(const Spline &spline, std::span<const int64_t> originals
     const double factor = factor_for(contribution_of(spline, originals, param), distance);
     NetEditor editor(spline);
     for (const int64_t point : originals) {
-        if (const double old = spline.weight(point); old != 0) { // of either sign, which stays
+        if (const double old = spline.weight(point); old != 0) { // of either sign; the sign stays
             editor.set_weight(point, std::copysign(checked_weight(std::abs(old) * factor, point), old));
         }
     }
@@ -118,7 +118,7 @@ void weight_points(const Spline &spline, int64_t original, const double *param, 
 
 namespace {
 
-// Differences of points that have been brought near 1 by a power of two, so that products do not overflow.
+// Differences of points that are scaled near 1 by a power of two, so that products do not overflow.
 class Differences {
 public:
     Differences(int dim, std::initializer_list<const double *> points) : dim_(dim) {
@@ -166,8 +166,7 @@ double weight_cross_ratio(int dim, const double *control_point, const double *at
 
 namespace {
 
-// The value that has to be 0 for the target to lie on the line through the control point, along the unit
-// vector `line`.
+// The distance of the target from the line through the control point along the unit vector `line`.
 double distance_from_line(const std::vector<double> &to_target, const std::vector<double> &line) noexcept {
     const double along = dot(to_target, line);
     return norm_of(static_cast<int>(line.size()), [&](int c) {
@@ -176,7 +175,7 @@ double distance_from_line(const std::vector<double> &to_target, const std::vecto
     });
 }
 
-// (1 - alpha rest) / (alpha N) with alpha = (T - P) . offset / |offset|^2.
+// The weight for the target T: (1 - alpha rest) / (alpha N) with alpha = (T - P) . offset / |offset|^2.
 double weight_at(const Contribution &sums, const double *target, double tolerance) {
     const auto dim = static_cast<int>(sums.centre.size());
     const double size = norm(sums.offset.data(), dim);

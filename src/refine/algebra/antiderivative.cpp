@@ -21,8 +21,9 @@ KnotVectorPtr integrated(const KnotVector &axis) {
     return std::make_shared<const KnotVector>(axis.degree() + 1, std::move(knots));
 }
 
-// What is subtracted from the first layer: the integral from there to the start of the domain, as a
-// combination of the steps between the layers up to those that are active at the start.
+// How much each step S_i between the layers contributes to the integral from the start of the knot vector to
+// the start of the domain. Coefficient i is the sum of the basis functions above step i, at the start of the
+// domain. The first layer is minus this integral, so that the antiderivative vanishes there.
 std::vector<double> start_coefficients(const KnotVector &axis) {
     const int q = axis.degree();
     const int64_t span = axis.spans().find(axis.domain().lower, false);
@@ -30,14 +31,14 @@ std::vector<double> start_coefficients(const KnotVector &axis) {
     basis_values(axis.knots().data(), q, span, axis.domain().lower, values);
     std::vector<double> coefficients(static_cast<size_t>(span), 1.0);
     double above = 0;
-    for (int j = q; j > 0; --j) { // the sum of the functions after step span - q + j - 1
+    for (int j = q; j > 0; --j) { // the sum of the functions above step span - q + j - 1
         above += values[j];
         coefficients[static_cast<size_t>(span - q + j - 1)] = above;
     }
     return coefficients;
 }
 
-// One run of layers, `stride` apart.
+// Integrates one strand of the net: values that are `stride` apart, one for each layer.
 class Integral {
 public:
     explicit Integral(const KnotVector &old)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Maps of two records that are linear in each of them.
+// Bilinear maps of pairs of records.
 #pragma once
 
 #include <vector>
 
 namespace nrb::refine {
 
-// A map B as the list of its terms: component `out` of B(x, y) is the sum of factor (x[a] y[b] + ... + x[a + size - 1]
-// y[b + size - 1]). A component after the last of a record stands for the constant 1; it has a term of its own.
+// One term of a bilinear map B. Component c of B(x, y) is the sum, over the terms with out == c, of factor *
+// (x[a] y[b] + ... + x[a + size - 1] y[b + size - 1]). An index one past the last component of a record
+// stands for the constant 1; such a term has size 1.
 struct BilinearTerm {
     int out;
     int a;

@@ -12,7 +12,7 @@ namespace nrb::refine {
 
 namespace {
 
-// How many copies of the knot at place `index` stand before that place, and how many after it.
+// How many copies of the knot at `index` precede it, and how many follow it.
 struct Beside {
     int before;
     int after;
@@ -25,7 +25,7 @@ Beside beside(std::span<const double> knots, int64_t index) noexcept {
             static_cast<int>(last - knots.begin() - 1 - index)};
 }
 
-// The knots of one period, from the lower end of the domain on, with their multiplicities.
+// The distinct knots of one period, from the lower end of the domain on, with their multiplicities.
 std::vector<KnotGroup> one_period(const KnotVector &axis) {
     const auto [lower, upper] = axis.domain();
     const Beside start = beside(axis.knots(), axis.degree()), end = beside(axis.knots(), axis.count());
@@ -39,9 +39,9 @@ std::vector<KnotGroup> one_period(const KnotVector &axis) {
         axis.knots().subspan(static_cast<size_t>(first), static_cast<size_t>(axis.distinct_layers())));
 }
 
-constexpr int64_t work_of_a_knot = 64; // which takes much memory
+constexpr int64_t work_of_a_knot = 64; // most of it is memory
 
-// Each of the knots once, in their order.
+// The union of the distinct knots of all members, in order.
 std::vector<double> knots_of_all(const std::vector<std::vector<KnotGroup>> &own) {
     std::vector<double> all, more;
     for (const std::vector<KnotGroup> &groups : own) {
@@ -58,7 +58,8 @@ std::vector<double> knots_of_all(const std::vector<std::vector<KnotGroup>> &own)
     return all;
 }
 
-// A knot moved by `periods` periods; the ends of the domain are copies of each other.
+// A knot moved by `periods` periods. The upper end of the domain is the copy of the lower one, without
+// rounding.
 double copy_of(double knot, int64_t periods, Interval domain) noexcept {
     if (periods == 0 || (periods == 1 && knot == domain.lower)) {
         return periods == 0 ? knot : domain.upper;
@@ -85,7 +86,7 @@ CommonKnots::CommonKnots(int degree, const std::vector<const KnotVector *> &memb
     }
 }
 
-// The knots of all members, each with its multiplicities.
+// The union of the knots of all members, with the multiplicity that each has in every member.
 std::vector<CommonKnots::Group> CommonKnots::merged(const std::vector<std::vector<KnotGroup>> &own) {
     const std::vector<double> all = knots_of_all(own);
     std::vector<Group> result;
@@ -126,8 +127,8 @@ void CommonKnots::add_open(const std::vector<const KnotVector *> &members) {
     }
 }
 
-// Enough periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them can be
-// arguments, the others surround these.
+// Appends enough periods that each member has 2 r + 2 knots on either side of the domain: r + 1 of them may
+// be arguments of a polar form, the others are the knots next to these.
 void CommonKnots::add_periodic(const std::vector<const KnotVector *> &members) {
     const Interval domain = members.front()->domain();
     std::vector<std::vector<KnotGroup>> own;
@@ -177,7 +178,8 @@ void CommonKnots::count_copies(int extra) {
     }
 }
 
-// Each end of the domain has as many copies on its other side as the member needs that needs the most.
+// Clamping and the knots outside the domain: each end of the domain gets as many copies beyond it as any
+// member requires.
 void CommonKnots::choose_open(const std::vector<const KnotVector *> &members, int extra) {
     Beside most{0, 0};
     for (const KnotVector *member : members) {
@@ -192,7 +194,8 @@ void CommonKnots::choose_open(const std::vector<const KnotVector *> &members, in
     axis_ = make_knot_vector(degree_, knots_between(first_, last + 1));
 }
 
-// The period begins at the same copy of its first knot as that of a member.
+// The period begins at the copy of its first knot at which the period of a member begins, the latest copy if
+// the members differ.
 void CommonKnots::choose_periodic(const std::vector<const KnotVector *> &members) {
     int before = 0;
     for (const KnotVector *member : members) {
@@ -231,7 +234,7 @@ std::vector<double> CommonKnots::knots_between(int64_t first, int64_t end) const
     return knots;
 }
 
-// The wrapped layers of a periodic axis are copies of the first ones.
+// The layers that a periodic axis wraps around have the windows of the first ones, of which they are copies.
 CommonKnots::Window CommonKnots::window(int64_t layer) const noexcept {
     const int64_t before = first_ + layer % axis_->distinct_layers();
     const Group &start = groups_[group_at(before)];
@@ -251,8 +254,8 @@ CommonKnots::Window CommonKnots::window(int64_t layer) const noexcept {
     return window;
 }
 
-// At degree 0 there are no arguments at all. The run is then empty; it stands after the last knot that is not
-// above the start of the support.
+// A member of degree 0 has no arguments. Its run is then empty and is located after the last copy of the
+// start of the support.
 CommonKnots::Run CommonKnots::own_arguments(size_t member, const Group *groups, const int *chosen, int low,
                                             int high, double start) const noexcept {
     if (low > high) {

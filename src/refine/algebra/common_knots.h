@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Knots over which one or two splines, their sums and their products are splines of a higher degree, and how
-// control points there follow from polar forms.
+// Common knots: a knot vector of a higher degree over which one or two splines, their sums and their products
+// are splines. Its control points follow from polar forms (blossoms).
 //
-// The polar form of a polynomial of degree p, taken at a higher degree r, is the mean of its own polar form
-// over all choices of p of the r arguments. The polar form of the product of two polynomials of degrees p and
-// r - p is the mean of the products of their polar forms, the second one at the remaining arguments (L.
-// Ramshaw 1989; K. Morken, "Some identities for products and degree raising of splines", Constr. Approx. 7
-// (1991)). A knot that occurs m times in a spline of degree p occurs at least r - p + m times here. So,
-// whatever the choice, a knot of the spline strictly inside the window of a control point is among the
-// arguments as often as among the knots of the spline, and the values are combinations of control points of
-// the spline with factors in [0, 1].
+// The polar form of a polynomial of degree p, regarded as one of degree r >= p, is the mean of its own polar
+// form over all choices of p of the r arguments. The polar form of the product of two polynomials of degrees
+// p and r - p is the mean of the products of their polar forms, the second factor taking the arguments that
+// the first one leaves (L. Ramshaw 1989; K. Morken, "Some identities for products and degree raising of
+// splines", Constr. Approx. 7 (1991)).
+//
+// A knot of multiplicity m in a spline of degree p has multiplicity at least r - p + m here. Any choice of p
+// arguments omits only r - p of them. So if the knot lies strictly inside the window (the r consecutive knots
+// that belong to a control point), every choice contains it at least m times. The value of the polar form is
+// therefore a combination of control points of the spline with factors in [0, 1].
 #pragma once
 
 #include "basis/bspline.h"
@@ -22,7 +24,8 @@
 
 namespace nrb::refine {
 
-// A value of a polar form: coefficients of consecutive layers; on a periodic axis, of the endless sequence.
+// A value of a polar form as a linear combination: the coefficients of `size` consecutive layers from `first`
+// on. On a periodic axis, layers are numbered in the endless sequence.
 struct BlossomRow {
     int64_t first;
     int size;
@@ -33,46 +36,50 @@ class CommonKnots {
 public:
     static constexpr int max_members = 2;
 
-    // The axis of degree r, not less than those of the members, which have the same domain bit for bit; every
-    // knot has `extra` more copies than it needs, up to r + 1. It is periodic if all members are. Throws
-    // Status::periodic_knots if copies a period away cannot be told apart, and what make_knot_vector()
-    // throws.
+    // Builds the axis of degree r = `degree`, which is at least the degree of every member. Members have the
+    // same domain, bit for bit. Every knot gets `extra` more copies than it needs, up to multiplicity r + 1.
+    // The axis is periodic if all members are. Throws Status::periodic_knots if rounding makes copies of
+    // different knots in other periods coincide, and what make_knot_vector() throws.
     CommonKnots(int degree, const std::vector<const KnotVector *> &members, int extra);
 
     [[nodiscard]] const KnotVectorPtr &axis() const noexcept { return axis_; }
 
-    // Distinct knots among the degree arguments of a control point, and how often they occur.
+    // The window of a control point: the distinct knots among its `degree` arguments, which are `size`
+    // consecutive groups beginning with `group`, and how often each occurs.
     struct Window {
         int64_t group;
         int size;
         std::array<int, max_basis> copies;
-        double start; // the knot before, where the support begins
+        double start; // the knot before the window, where the support begins
     };
     [[nodiscard]] Window window(int64_t layer) const noexcept;
 
-    // The value of the polar form of a member, at as many knots of each group of the window as `chosen` says;
-    // they are as many as its degree. Where the member jumps, it is the value of the piece to which the
-    // window's control point belongs. Every coefficient is accurate to 3 d eps of itself, where d < size is
-    // the number of arguments that are not knots of the member.
+    // The value of a member's polar form whose arguments are chosen[i] copies of knot i of the window; their
+    // number is the degree of the member. Where the member jumps, the value belongs to the piece on which the
+    // window's control point acts. Every coefficient has a relative error of at most 3 d eps, where d =
+    // row.size - 1 is the number of arguments that are not knots of the member.
     void blossom_row(int member, const Window &window, const int *chosen, BlossomRow &row) const noexcept;
-    // The stored layer from which at most degree + 1 layers that begin at `layer` can be read.
+    // The number of the stored layer that equals `layer` of the endless sequence. At most degree + 1 layers
+    // may be read from there.
     [[nodiscard]] int64_t stored_layer(int member, int64_t layer) const noexcept;
 
-    // The mean of a member's polar form over all choices of its degree among the arguments of a window: coefficients
-    // of its layers from the returned one on.
+    // The mean of a member's polar form over all choices of its arguments from a window: the coefficients of
+    // its layers, beginning with the layer that is returned.
     int64_t mean_row(int member, const Window &window, std::vector<double> &coefficients) const;
-    // The same from each choice, and from a recurrence that takes the choices of a knot together, which is for windows of
-    // two knots or more. The first costs time and memory for each choice, the second O(r p^3) at the most.
+    // Two ways to compute this mean. mean_of_choices() evaluates each choice; its time and memory are
+    // proportional to the number of choices. mean_by_knots() combines choices knot by knot with a recurrence,
+    // which takes at most O(r p^3); the window must contain at least two distinct knots.
     int64_t mean_of_choices(int member, const Window &window, std::vector<double> &coefficients) const;
     int64_t mean_by_knots(int member, const Window &window, std::vector<double> &coefficients) const;
 
-    // The table that gives the layers of the axis from those of a member, with its degree raised to r and its
-    // knots refined.
+    // The table that expresses the layers over this axis by those of a member: degree elevation to r and knot
+    // insertion in one step.
     [[nodiscard]] LayerTable raising(int member) const;
 
 private:
     class KnotByKnot;
-    // A knot: its first place and copies here, and in the knots of each member.
+    // A distinct knot, with the index of its first copy and its multiplicity: in the common knot vector
+    // (first, copies), and in the knots of each member (place, times).
     struct Group {
         double knot;
         int64_t first;
@@ -80,17 +87,17 @@ private:
         std::array<int64_t, max_members> place;
         std::array<int, max_members> times;
     };
-    // The knots of a member, on a periodic axis of several periods.
+    // The knots of a member; for a periodic axis, those of several periods.
     struct Member {
         int degree;
         std::vector<double> knots;
-        int64_t shift;  // its place of stored knot 0
-        int64_t period; // layers of a period; 0: none
+        int64_t shift;  // index in `knots` of the member's stored knot 0
+        int64_t period; // layers in a period; 0: not periodic
     };
 
-    // The knots of a member that are among its arguments: the last copies of the lowest argument, all knots
-    // between, and the first copies of the highest one. Where the member jumps at its only argument, the
-    // knots of one side.
+    // The knots of a member that are among the arguments: the last copies of the lowest argument, all knots
+    // between, and the first copies of the highest argument. If all arguments are one knot at which the
+    // member jumps, they are the copies on one side of the jump.
     struct Run {
         int64_t first;
         int64_t size;
@@ -113,12 +120,13 @@ private:
     int degree_;
     std::vector<Member> members_;
     std::vector<Group> groups_;
-    int64_t first_ = 0; // the place of knot 0 of the axis
+    int64_t first_ = 0; // index of knot 0 of the axis
     KnotVectorPtr axis_;
 };
 
-// Calls body(chosen, times) for every way to choose `total` knots of a window, equal knots taken together.
-// `chosen` is the number of copies of each group, `times` in how many ways they can be picked.
+// Calls body(chosen, times) for every way to choose `total` knots from a window, not distinguishing equal
+// knots. chosen[i] is the number of copies of knot i, and `times` in how many ways these copies can be
+// picked.
 template <class Body>
 void for_each_choice(const CommonKnots::Window &window, int total, Body &&body);
 
@@ -132,7 +140,7 @@ void choose(const CommonKnots::Window &window, int at, int left, int after, doub
         return;
     }
     const int copies = window.copies[static_cast<size_t>(at)];
-    after -= copies; // in the groups that follow
+    after -= copies; // now the number of copies in the groups that follow
     for (int n = left > after ? left - after : 0; n <= copies && n <= left; ++n) {
         chosen[at] = n;
         choose(window, at + 1, left - n, after, times * binomial(copies, n), chosen, body);

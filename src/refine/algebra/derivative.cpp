@@ -13,8 +13,8 @@ namespace nrb::refine {
 
 namespace {
 
-// The axis of the derivative. For each of its layers, the stored layer from which the difference to the next
-// one is taken, and the length to divide by.
+// The axis of the derivative. Layer i of the derivative is the degree times the difference of stored layers
+// `below` + 1 and `below`, divided by `length`.
 struct DerivedAxis {
     struct Layer {
         int64_t below;
@@ -24,8 +24,8 @@ struct DerivedAxis {
     std::vector<Layer> layers;
 };
 
-// Derived layers and knots of a run of old knots. Layer i belongs to knots i + 1, ..., i + p + 1 of the run;
-// a layer with an empty support is left out with its last knot.
+// The derivative's layers and knots over a run of old knots. Derivative layer i belongs to knots i + 1, ...,
+// i + p + 1 of the run; if its support is empty, it is omitted together with its last knot.
 struct Run {
     std::vector<double> knots;
     std::vector<DerivedAxis::Layer> layers;
@@ -53,7 +53,7 @@ DerivedAxis derived_open(const KnotVector &axis) {
             std::move(run.layers)};
 }
 
-// Where a knot occurs first, and how often.
+// The index of the first copy of a knot, and its multiplicity.
 struct KnotCopies {
     int64_t first;
     int64_t count;
@@ -64,7 +64,7 @@ KnotCopies copies_of(std::span<const double> knots, double knot) noexcept {
     return {first - knots.begin(), last - first};
 }
 
-// The period begins at the same copy of its first knot as before, if there are so many.
+// The period begins at the same copy of its first knot as before, or at the last copy if fewer remain.
 DerivedAxis derived_periodic(const KnotVector &axis) {
     const int p = axis.degree();
     const int64_t lead = int64_t{p} + 1;
@@ -112,7 +112,7 @@ SplinePtr derived(const SplinePtr &spline, int axis) {
                        std::move(points));
 }
 
-// Degree 0 over the breaks of the domain.
+// The zero spline: degree 0 on this axis, over the breaks of the domain.
 SplinePtr zeros(const Spline &spline, int axis) {
     const KnotVector &old = spline.axis(axis);
     std::vector<double> breaks(old.spans().breaks().begin(), old.spans().breaks().end());

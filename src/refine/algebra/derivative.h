@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Derivatives of splines as splines.
+// Derivatives of polynomial splines as splines (hodographs).
 #pragma once
 
 #include "spline/spline.h"
@@ -8,12 +8,12 @@
 
 namespace nrb::refine {
 
-// The derivative of a polynomial spline along an axis: control points p (P_(i+1) - P_i) / (t_(i+p+1) -
-// t_(i+1)) over the knots without the first and the last one (de Boor 1972; Piegl & Tiller 3.3), each within
-// 2 eps of itself. Where a knot occurs p + 1 times one copy and the layer between the two pieces drop out.
-// Beyond the degree: zeros over the same breaks, of degree 0. Throws Status::not_representable,
-// periodic_knots. Preconditions: polynomial, order >= 0. Cost: linear in the number of points, for each
-// order.
+// The derivative of a polynomial spline along an axis. Its control points are p (P_(i+1) - P_i) / (t_(i+p+1)
+// - t_(i+1)), over the knots without the first and the last one (de Boor 1972; Piegl & Tiller 3.3), each with
+// a relative error of at most 2 eps. Where a knot occurs p + 1 times, one of its copies is dropped, with the
+// layer whose support would be empty, between the two pieces. If the order exceeds the degree, the result is
+// zero, of degree 0 over the same breaks. Throws Status::not_representable, periodic_knots. Preconditions:
+// the spline is polynomial, order >= 0. Cost: for each order, linear in the number of points.
 SplinePtr polynomial_derivative(const SplinePtr &spline, int axis, int order);
 
 } // namespace nrb::refine

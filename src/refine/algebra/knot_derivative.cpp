@@ -22,7 +22,7 @@ SplinePtr zeros(const Spline &spline) {
                              std::vector<double>(spline.points().size()));
 }
 
-// The knots with t_k once more, and which layers over them are kept.
+// The knot vector with t_k doubled, and the layers over it that are kept.
 struct DoubledKnots {
     std::vector<double> knots;
     std::vector<int64_t> layers;
@@ -49,7 +49,7 @@ DoubledKnots doubled(const KnotVector &axis, int64_t k) {
     return {std::move(knots), std::move(layers)};
 }
 
-// Appends the differences of layers i - 1 and i over a length, or zeros, of the layers of one `outer`.
+// Appends (layer `layer` - 1 minus layer `layer`) / length of one outer index, or zeros if length is 0.
 void append_difference(const double *own, int64_t layer, int64_t inner, double length,
                        std::vector<double> &out) {
     for (int64_t i = 0; i < inner; ++i) {
@@ -58,7 +58,7 @@ void append_difference(const double *own, int64_t layer, int64_t inner, double l
     }
 }
 
-// For one knot alone of an axis that is not periodic.
+// The derivative with respect to one knot of an axis that is not periodic.
 SplinePtr open_derivative(const Spline &spline, int axis, int64_t k) {
     const KnotVector &old = spline.axis(axis);
     DoubledKnots made = doubled(old, k);
@@ -79,7 +79,7 @@ SplinePtr open_derivative(const Spline &spline, int axis, int64_t k) {
     return polynomial_result(with_axis(spline, axis, std::move(knots)), spline.dim(), std::move(points));
 }
 
-// Layers from[i] of an axis, over other knots.
+// The spline whose layer i is layer from[i] of another, over the given knots.
 SplinePtr chosen_layers(const Spline &spline, int axis, KnotVectorPtr knots,
                         const std::vector<int64_t> &from) {
     const AxisView view = axis_view(spline, axis, spline.dim());
@@ -94,8 +94,8 @@ SplinePtr chosen_layers(const Spline &spline, int axis, KnotVectorPtr knots,
     return polynomial_result(with_axis(spline, axis, std::move(knots)), spline.dim(), std::move(points));
 }
 
-// A periodic axis with so many more knots at each end that no knot that matters in the domain is one of the
-// outer ones.
+// A periodic axis unrolled: extended beyond both ends by enough knots that the outermost ones, for which the
+// formula does not hold, have no influence on the domain.
 class Unrolled {
 public:
     Unrolled(const Spline &spline, int axis, int64_t k)
@@ -114,7 +114,8 @@ public:
         }
     }
 
-    // The sum of the derivatives by the copies, over the knots with all of them once more.
+    // The sum of the derivatives with respect to all copies of the knot, over the knots in which each copy is
+    // doubled.
     [[nodiscard]] SplinePtr derivative() const {
         const std::vector<double> fine = finer_knots();
         std::vector<double> points;
@@ -129,7 +130,7 @@ public:
     }
 
 private:
-    // A knot that occurs p + 1 times stays as it is.
+    // The knots with every copy doubled, except that a knot of multiplicity p + 1 is left as it is.
     [[nodiscard]] std::vector<double> finer_knots() const {
         const std::span<const double> knots = open_->axis(axis_).knots();
         std::vector<double> more;
@@ -142,7 +143,7 @@ private:
         return merged(knots, more);
     }
 
-    // One period of that, which begins at the last copy of the start of the domain.
+    // One period of the unrolled result, beginning at the last copy of the start of the domain.
     [[nodiscard]] SplinePtr rolled(const std::vector<double> &fine, std::vector<double> points) const {
         const int64_t p = old_.degree();
         const auto [lower, upper] = old_.domain();
@@ -179,7 +180,7 @@ void check_degrees(const Spline &spline) {
     }
 }
 
-// The records of the product of two splines that have the same axes.
+// The records B(a, b) of two splines over the axes `joint`.
 std::vector<double> product_of(const Spline &a, const Spline &b, const std::vector<CommonKnots> &joint,
                                int width, const Bilinear &form) {
     return product_records({a.knot_vectors(), a.points(), a.dim()}, {b.knot_vectors(), b.points(), b.dim()},
@@ -196,8 +197,9 @@ SplinePtr polynomial_knot_derivative(const SplinePtr &spline, int axis, int64_t 
                                          : open_derivative(*spline, axis, k);
 }
 
-// Both factors are brought to the knots of the derivative and of the spline first: then all products have the
-// same knots. The shape at the origin: its w P has no part that cancels with a part of w.
+// Both factors are first written over the common knots of the derivative and the spline, so that all products
+// have the same knots. The spline is moved to the origin first: otherwise the parts of A_k w and A w_k that
+// are proportional to the distance from the origin would cancel.
 SplinePtr rational_knot_derivative(const Spline &given, int axis, int64_t k) {
     const Spline &spline = at_origin(given);
     check_degrees(spline);

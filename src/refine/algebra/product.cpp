@@ -67,7 +67,7 @@ int product_dim(int a, int b, ProductKind kind) {
     return kind == ProductKind::components ? std::max(a, b) : kind == ProductKind::dot ? 1 : 3;
 }
 
-// The form on Cartesian coordinates.
+// The bilinear form of a product on Cartesian coordinates.
 Bilinear coordinates_form(int dim_a, int dim_b, ProductKind kind) {
     Bilinear form;
     if (kind == ProductKind::cross) {
@@ -129,7 +129,7 @@ SplinePtr product(const Spline &a, const Spline &b, ProductKind kind) {
     const Form form = std::max(a.form(), b.form());
     Bilinear bilinear = coordinates_form(a.dim(), b.dim(), kind);
     const bool rational = form != Form::polynomial;
-    if (rational) { // the component after the last one of a polynomial factor is 1
+    if (rational) { // component dim of a polynomial factor stands for the constant 1
         bilinear.push_back({dim, a.dim(), b.dim()});
     }
     return from_records(axes_of(joint), dim, form,

@@ -15,7 +15,8 @@ namespace nrb::refine {
 
 namespace {
 
-// In four sums, which the compiler keeps in registers; the error is that of a quarter of the sum.
+// The dot product in four partial sums, which the compiler keeps in registers. Its error bound is that of a
+// sum of a quarter of the length.
 double dot(const double *a, const double *b, int64_t size) noexcept {
     std::array<double, 4> sums{};
     int64_t i = 0;
@@ -30,9 +31,10 @@ double dot(const double *a, const double *b, int64_t size) noexcept {
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-// Values of the polar form of a factor at rows of all axes. An axis after the other is replaced by its rows: [rows of
-// axis 0] ... [rows of axis k][layers of axis k + 1] ... [width]. The last axis comes first, and is replaced in the end,
-// so that the loops are long: [rows of the last axis][width][rows of axis 0] ... .
+// Values of a factor's polar form for rows on all axes: the layers of one axis after another are contracted
+// to rows. After axis k the layout is [rows of axis 0] ... [rows of axis k][layers of axis k + 1] ...
+// [width]. Before the last axis is contracted it is moved to the front, so that the inner loops are long; the
+// final layout is [rows of the last axis][width][rows of axis 0] ... .
 class PolarValues {
 public:
     explicit PolarValues(const Factor &factor)
@@ -45,7 +47,7 @@ public:
         }
     }
 
-    // Replaces layers of axis k by rows; the axes before it have been replaced.
+    // Contracts the layers of axis k to rows. Precondition: this has been done for the axes before it.
     void replace(size_t k, const PolarRows &rows) {
         const double *from = k == 0 ? records_.data() : stages_[k - 1].data();
         outer_[k + 1] = outer_[k] * rows.size();
@@ -66,7 +68,7 @@ public:
         }
     }
 
-    // Those before the last axis.
+    // The number of combinations of rows of all axes but the last.
     [[nodiscard]] int64_t outer_rows() const noexcept { return outer_[last_]; }
     [[nodiscard]] const double *values() const noexcept { return stages_[last_].data(); }
     [[nodiscard]] int width() const noexcept { return width_; }
@@ -92,15 +94,16 @@ private:
     std::vector<double> turned_;
 };
 
-// A choice on all axes but the last: rows of both factors, numbered over these axes.
+// One combination of choices on all axes but the last: the rows of both factors, numbered over these axes
+// together.
 struct OuterTerm {
     double weight;
     int64_t a;
     int64_t b;
 };
 
-// The values of a factor for the outer terms, side by side, [rows of the last axis][width][terms], and ones for the
-// constant 1.
+// The values of a factor for all outer terms, side by side: [rows of the last axis][width][terms]. Another
+// column stands for the constant 1.
 class Columns {
 public:
     void gather(const PolarValues &values, int64_t rows, std::span<const OuterTerm> terms, bool first) {
@@ -179,7 +182,7 @@ private:
         }
     }
 
-    // Of axis k, of layers of the axes before it.
+    // Writes the layers of axis k for one layer of each axis before it.
     void write_layers(size_t k, std::span<const OuterTerm> outer, double *out) {
         const ProductTerms &chunk = *chunk_[k];
         if (k == last_) {
@@ -209,7 +212,7 @@ private:
     }
 
     void write_record(std::span<const ProductTerms::Term> terms, int64_t outer, double *out) {
-        constexpr int64_t part = 128; // whose sum is as accurate as is claimed
+        constexpr int64_t part = 128; // short enough for the accuracy that is claimed
         std::fill(sums_.begin(), sums_.end(), CompensatedSum());
         count_work(std::ssize(terms) * std::ssize(form_) * (outer * form_[0].size + work_of_a_sum));
         for (const ProductTerms::Term &term : terms) {
@@ -237,7 +240,7 @@ private:
     PolarValues a_, b_;
     Columns columns_a_, columns_b_;
     std::vector<CompensatedSum> sums_;
-    std::vector<std::vector<ProductTerms>> terms_; // of all axes but the first, whose terms are made once
+    std::vector<std::vector<ProductTerms>> terms_; // of all axes but the first; made once
     std::array<const ProductTerms *, max_axes> chunk_{};
     std::array<std::vector<OuterTerm>, max_axes> outer_;
     std::array<int64_t, max_axes> strides_{};

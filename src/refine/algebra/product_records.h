@@ -11,21 +11,23 @@
 
 namespace nrb::refine {
 
-// A factor: its axes, and records, whatever they mean, for its control points.
+// A factor: its axes, and a record of `width` values for each control point, whatever its meaning.
 struct Factor {
     const Spline::Axes &axes;
     std::span<const double> records;
     int width;
 };
 
-// The records B(a, b) of the product, `width` values each: on each axis control point j is the mean, over all
-// choices I of p of the p + q knots that belong to it, of B(f[t_I], g[t_rest]) (common_knots.h), equal
-// choices taken together. Rows of the polar forms have relative errors of 3 p and 3 q eps, a contraction (p +
-// 2) eps / 2, the mean is a sum of at most (p + q) / 2 + 2 eps: every component is within 4 (p + q + 1) eps,
-// summed over the axes, of max|f| max|g| among the control points that it depends on, for every term of B.
-// Memory: the result, and values of the polar forms for some layers. Throws Status::not_representable,
-// overflow. Cost: for each control point the product of the number of choices on each axis; the rows once for
-// each span.
+// The records of the product B(f, g), `width` values each, of factors f and g of degrees p and q. On each
+// axis, control point j is the mean of B(f[t_I], g[t_rest]) over all choices I of p of the p + q knots that
+// belong to it (common_knots.h); choices that differ only by equal knots are evaluated once.
+//
+// Error: rows of the polar forms have relative errors of 3 p eps and 3 q eps, a contraction adds (p + 2) eps
+// / 2 or (q + 2) eps / 2, and the sum that forms the mean at most 2 eps. For every term of B, a component is
+// thus within 4 (p + q + 1) eps, summed over the axes, of max|f| max|g| among the control points that it
+// depends on. Memory: the result, and values of the polar forms for some layers. Throws
+// Status::not_representable, overflow. Cost: for each control point, the product over the axes of the numbers
+// of choices; the rows are computed once for each span.
 std::vector<double> product_records(const Factor &a, const Factor &b, const std::vector<CommonKnots> &axes,
                                     int width, const Bilinear &form);
 

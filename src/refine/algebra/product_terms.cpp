@@ -26,20 +26,21 @@ void PolarRows::contract(int64_t row, const double *layers, int64_t length, doub
 namespace {
 
 constexpr int64_t most_layers = 32;
-constexpr int64_t enough_rows =
-    96; // where a layer begins at another knot than the one before, so that few are shared
+constexpr int64_t enough_rows = 96; // if the next layer begins at another knot: it would share few rows
 constexpr int64_t work_of_a_choice = 60;
 
 double scale_of(int degree, int degree_a) noexcept {
     return std::ldexp(1.0, -std::ilogb(binomial(degree, degree_a)));
 }
 
-// The rows of a factor that are there, by the copies of knots that they are values at.
+// The rows of a factor computed so far, found by the numbers of copies of each knot among their arguments (a
+// hash table with open addressing).
 class KnownRows {
 public:
     explicit KnownRows(int64_t first_group) noexcept : first_group_(first_group) {}
 
-    // Where the number of the row is, or -1 that is to be replaced; null if rows at such knots are not remembered.
+    // The entry for the row with these arguments: its number, or -1, to be replaced by the number of a new
+    // row. Null if rows with such arguments are not recorded.
     int32_t *find(const CommonKnots::Window &window, const int *chosen) noexcept {
         const std::optional<uint64_t> key = key_of(window, chosen);
         if (!key || 2 * used_ >= places) {
@@ -58,11 +59,12 @@ public:
 private:
     static constexpr int place_bits = 9;
     static constexpr size_t places = size_t{1} << place_bits;
-    static constexpr int copy_bits = 5; // at most 31 copies, of at most 9 neighbouring knots
+    static constexpr int copy_bits = 5; // up to 31 copies of each of up to 9 consecutive knots
     static constexpr int most_groups = 9;
     static constexpr int64_t most_offset = 256;
 
-    // Values at a single knot belong to the side where the window is.
+    // A row whose arguments are all one knot is not recorded: its value depends on the side of the knot on
+    // which the window lies.
     [[nodiscard]] std::optional<uint64_t> key_of(const CommonKnots::Window &window,
                                                  const int *chosen) const noexcept {
         int low = 0, high = window.size;
@@ -95,7 +97,7 @@ private:
 
 } // namespace
 
-// Adds layers to the terms.
+// Appends the terms of one layer after another.
 class ProductTerms::Builder {
 public:
     Builder(ProductTerms &terms, const CommonKnots &axis, int degree_a)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which values of the polar forms of two factors the layers of a product are means of (common_knots.h).
+// The control points of a product as means of products of polar-form values (common_knots.h): which values of
+// the two factors each layer of an axis combines.
 #pragma once
 
 #include "refine/algebra/common_knots.h"
@@ -11,12 +12,12 @@
 
 namespace nrb::refine {
 
-// Values of a polar form, as coefficients of consecutive stored layers.
+// Values of a polar form, each stored as coefficients of consecutive stored layers.
 class PolarRows {
 public:
     [[nodiscard]] int64_t size() const noexcept { return std::ssize(rows_); }
     int32_t add(const CommonKnots &axis, int member, const BlossomRow &row);
-    // out[l] = the row's combination of the layers, which have this length.
+    // out[l], l < length: the row applied to layers of `length` values each.
     void contract(int64_t row, const double *layers, int64_t length, double *out) const noexcept;
 
 private:
@@ -29,17 +30,17 @@ private:
     std::vector<double> coefficients_;
 };
 
-// Some consecutive layers of an axis of a product: the mean over its terms, of two rows each. A row that several layers
-// need, as neighbouring ones do, is there once.
+// The terms of some consecutive layers of a product's axis. Each layer is the mean over its terms, and a term
+// combines one row of each factor. A row that several layers use, as neighbouring layers do, is stored once.
 class ProductTerms {
 public:
     struct Term {
-        double weight; // binomial coefficients times a power of two that brings their sum near 1
+        double weight; // a number of choices times a power of two that brings the sum near 1
         int32_t a;
         int32_t b;
     };
 
-    // From layer `first` on, as many as suit.
+    // The layers from `first` on; how many is chosen for efficiency, see end().
     ProductTerms(const CommonKnots &axis, int degree_a, int64_t first);
 
     [[nodiscard]] int64_t first() const noexcept { return first_; }
@@ -53,7 +54,7 @@ public:
         return std::span(terms_).subspan(begin, ends_[at] - begin);
     }
 
-    // The sum of the weights of a layer.
+    // The sum of the weights of the terms of a layer.
     static double total(int degree, int degree_a) noexcept;
 
 private:

@@ -26,7 +26,7 @@ void check_degrees(const Spline &spline, int order) {
     }
 }
 
-// Some components of the records of a polynomial spline.
+// Components first, ..., first + size - 1 of the records of a polynomial spline.
 SplinePtr components(const Spline &spline, int first, int size) {
     std::vector<double> points;
     points.reserve(static_cast<size_t>(spline.point_count() * size));
@@ -37,7 +37,7 @@ SplinePtr components(const Spline &spline, int first, int size) {
     return polynomial_result(spline.knot_vectors(), size, std::move(points));
 }
 
-// The product with a spline of dimension 1, with knots on an axis `extra` times more than it needs.
+// The product with a spline of dimension 1. Knots of `axis` get `extra` more copies than they need.
 SplinePtr scaled(const Spline &spline, const Spline &factor, int axis, int extra) {
     std::array<int, 3> copies{};
     copies[static_cast<size_t>(axis)] = extra;
@@ -60,8 +60,8 @@ void check_same_knots(const Spline &a, const Spline &b) {
     }
 }
 
-// N_(n+1) from N_n; a knot that occurs m times in w occurs p n + m times in N_n, once more in the first term
-// than in the second if n > 0.
+// N_(n+1) from N_n. A knot of multiplicity m in w has multiplicity p n + m in N_n. If n > 0, the first term
+// needs one more copy of it than the second, which gets that copy as `extra`.
 SplinePtr next_numerator(const SplinePtr &numerator, const SplinePtr &weight, int axis, int n) {
     const SplinePtr first = scaled(*polynomial_derivative(numerator, axis, 1), *weight, axis, 0);
     const SplinePtr second = scaled(*numerator, *polynomial_derivative(weight, axis, 1), axis, n > 0 ? 1 : 0);
@@ -73,7 +73,7 @@ SplinePtr next_numerator(const SplinePtr &numerator, const SplinePtr &weight, in
     return polynomial_result(first->knot_vectors(), first->dim(), std::move(points));
 }
 
-// w^(n+1); its last factor adds the knots that the numerator has in addition to its own.
+// w^(n+1). The last multiplication adds the n copies of each knot that the numerator has in addition.
 SplinePtr power(const SplinePtr &weight, int axis, int n) {
     SplinePtr result = weight;
     for (int i = 1; i <= n; ++i) {
@@ -96,7 +96,8 @@ std::vector<double> side_by_side(const Spline &numerator, const Spline &denomina
 
 } // namespace
 
-// The shape at the origin: its w P has no part that cancels with a part of w.
+// The spline is moved to the origin first: otherwise the parts of N_n' w and N_n w' that are proportional to
+// the distance from the origin would cancel.
 SplinePtr rational_derivative(const Spline &given, int axis, int order) {
     const Spline &spline = at_origin(given);
     check_degrees(spline, order);

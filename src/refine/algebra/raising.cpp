@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers of a member with its degree raised: means of its polar form.
+// CommonKnots::raising(): the layers of a member over the common knots, as means of its polar form.
 #include "refine/algebra/common_knots.h"
 
 #include "base/watch.h"
@@ -12,10 +12,11 @@ namespace nrb::refine {
 
 namespace {
 
-// Windows with more choices take them together.
+// Beyond this number of choices, the mean is computed knot by knot.
 constexpr double many_choices = 256;
 
-// A sum of rows of coefficients, from their first layer to their last.
+// A weighted sum of rows of coefficients; value(layer) is the coefficient of one layer. Returns the first
+// layer whose coefficient is not 0.
 template <class Row, class Value>
 int64_t write_sum(const std::vector<Row> &rows, std::vector<double> &sum, Value &&value) {
     int64_t first = rows.front().first, end = first;
@@ -27,7 +28,7 @@ int64_t write_sum(const std::vector<Row> &rows, std::vector<double> &sum, Value 
     for (int64_t layer = first; layer < end; ++layer) {
         sum.push_back(value(layer));
     }
-    // The zeros before the first coefficient.
+    // Drops the zeros before the first coefficient.
     const auto zeros = std::ranges::find_if(sum, [](double x) { return x != 0; }) - sum.begin();
     sum.erase(sum.begin(), sum.begin() + zeros);
     return first + zeros;
@@ -45,7 +46,7 @@ double count_of_choices(const CommonKnots::Window &window, int total) noexcept {
     return ways[total];
 }
 
-// append_argument() in twice the precision.
+// append_argument() in double-double arithmetic.
 void append_exactly(const double *left, const double *right, int d, double t,
                     DoubleDouble *coefficients) noexcept {
     left -= d;
@@ -60,11 +61,15 @@ void append_exactly(const double *left, const double *right, int d, double t,
 
 } // namespace
 
-// What a choice takes of the first knot of the window and of the last one decides which knots of the member are among
-// its arguments: those strictly inside are always, since they occur too often here to be left out. Choices that agree
-// in this differ in how many arguments they take that are no knots of the member. After each knot of the window the
-// rows of all choices so far that have equally many of these are one sum, because what follows is the same for them.
-// All terms are positive; in twice the precision their number does not matter.
+// The mean of a member's polar form over all choices of arguments, knot by knot.
+//
+// The arguments that are knots of the member are determined by how many copies a choice takes of the first
+// knot of the window and of the last one: the knots strictly inside are always all among the arguments,
+// because they occur too often in the common knots to be omitted. For fixed numbers of copies at both ends,
+// choices differ only in their foreign arguments, those that are not knots of the member. The window is
+// processed knot by knot. After each knot, all choices with the same number of foreign arguments so far are
+// merged into one sum of rows, because the remaining steps are the same for them. All terms are positive, and
+// in double-double arithmetic the number of terms does not matter.
 class CommonKnots::KnotByKnot {
 public:
     struct Row {
@@ -77,7 +82,7 @@ public:
         : joint_(joint), member_(member), window_(window), groups_(joint.groups_.data() + window.group),
           degree_(joint.members_[member].degree) {}
 
-    // One row for each number of copies of the member's first and last knot.
+    // One row for each pair (copies of the first knot, copies of the last knot) that are knots of the member.
     [[nodiscard]] std::vector<Row> rows() {
         std::vector<Row> rows;
         const int last = window_.size - 1;
@@ -99,8 +104,8 @@ private:
     [[nodiscard]] int own(int i) const noexcept { return groups_[i].times[member_]; }
     [[nodiscard]] int copies(int i) const noexcept { return window_.copies[static_cast<size_t>(i)]; }
 
-    // Of choices with a copies of the first knot that are knots of the member, b of the last one, and `foreign` arguments
-    // that are not.
+    // The sum over the choices that take, as knots of the member, `a` copies of the first knot and `b` of the
+    // last one, and `foreign` further arguments.
     [[nodiscard]] Row row(int a, int b, int foreign) {
         const int last = window_.size - 1;
         const double *knots = joint_.members_[member_].knots.data();
@@ -111,7 +116,7 @@ private:
             const int used = used_of(i, a, b);
             return used < own(i) ? 0 : copies(i) - used;
         };
-        int least = foreign, reached = 0; // what rows that end with all foreign arguments have by now
+        int least = foreign, reached = 0; // bounds on the number of foreign arguments so far
         for (int i = 0; i <= last; ++i) {
             least -= most_of(i);
         }
@@ -127,16 +132,17 @@ private:
         return row;
     }
 
-    // Copies of knot i that are knots of the member.
+    // How many copies of knot i are used as knots of the member.
     [[nodiscard]] int used_of(int i, int a, int b) const noexcept {
         return i == 0 ? a : i == window_.size - 1 ? b : own(i);
     }
 
-    // How many foreign arguments a row may have: `least`, if others are to follow, and no more than were there.
+    // The range for the number of foreign arguments before a knot is processed: at least `least`, or the
+    // knots that follow cannot supply the rest; at most `reached`, as many as the knots so far can supply.
     struct Foreign {
         int least, reached;
     };
-    // Up to `most` more copies of knot i, beside those used as knots of the member.
+    // Takes up to `most` copies of knot i as foreign arguments, besides those used as knots of the member.
     void take(int i, int used, int most, Foreign now, const double *first, const double *end) {
         const int foreign = static_cast<int>(sums_.size()) - 1;
         next_.assign(sums_.size(), {});
@@ -162,7 +168,7 @@ private:
     const Window &window_;
     const Group *groups_;
     int degree_;
-    std::vector<std::array<DoubleDouble, max_basis>> sums_, next_; // by the number of foreign arguments
+    std::vector<std::array<DoubleDouble, max_basis>> sums_, next_; // by number of foreign arguments
 };
 
 int64_t CommonKnots::mean_by_knots(int member, const Window &window,
@@ -208,8 +214,8 @@ int64_t CommonKnots::mean_row(int member, const Window &window, std::vector<doub
     return many ? mean_by_knots(member, window, coefficients) : mean_of_choices(member, window, coefficients);
 }
 
-// A new layer depends only on layers whose functions contain its support: at most p + 1, which are stored in
-// a row.
+// A new layer depends only on old layers whose supports contain its own. These are at most p + 1, and they
+// are stored contiguously.
 LayerTable CommonKnots::raising(int member) const {
     LayerTable table;
     table.reserve(axis_->count(), axis_->degree() + 1);

@@ -13,7 +13,7 @@ namespace nrb::refine {
 
 namespace {
 
-// Each axis with the higher of the two degrees and the knots of both.
+// Both splines over common axes: the higher of the two degrees, and the knots of both.
 struct Common {
     SplinePtr a;
     SplinePtr b;
@@ -41,7 +41,7 @@ Common common(SplinePtr a, SplinePtr b) {
     return {std::move(a), std::move(b)};
 }
 
-// Stored points are combined; if the last component of a record is the weight, it stays.
+// The linear combination of the stored points. If a record ends with its weight, the weight is kept.
 SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) {
     std::vector<double> points(a.points().begin(), a.points().end());
     const auto width = static_cast<size_t>(a.stored_width()), dim = static_cast<size_t>(a.dim());
@@ -55,11 +55,11 @@ SplinePtr combined(const Spline &a, double alpha, const Spline &b, double beta) 
                        {a.weights().begin(), a.weights().end()});
 }
 
-// (alpha A w_b + beta B w_a) / (w_a w_b).
+// The sum over the product of the denominators: (alpha A w_b + beta B w_a) / (w_a w_b).
 SplinePtr over_product(const Spline &a, double alpha, const Spline &b, double beta) {
     const std::vector<CommonKnots> joint = product_axes(a.knot_vectors(), b.knot_vectors());
     const int dim = a.dim();
-    Bilinear form; // the component after the last one of a polynomial spline is 1
+    Bilinear form; // component dim of a polynomial spline stands for the constant 1
     for (int c = 0; c < dim; ++c) {
         form.push_back({c, c, dim, alpha});
         form.push_back({c, dim, c, beta});

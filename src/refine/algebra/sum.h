@@ -6,10 +6,11 @@
 
 namespace nrb::refine {
 
-// alpha a(t) + beta b(t). The sum is over common degrees and knots (common_knots.h) if neither is rational,
-// or if both are and their weights come out equal bit for bit; otherwise it is over the product of the
-// denominators. Throws Status::incompatible, dimension, degree, periodic_knots, not_representable.
-// Precondition: alpha and beta are finite.
+// The linear combination alpha a(t) + beta b(t). If neither spline is rational, it is formed over common
+// degrees and knots (common_knots.h). So it is if both are rational, have the same form, and have equal
+// weights there, bit for bit. Otherwise it is formed over the product of the denominators. Throws
+// Status::incompatible, dimension, degree, periodic_knots, not_representable. Precondition: alpha and beta
+// are finite.
 SplinePtr sum(const SplinePtr &a, double alpha, const SplinePtr &b, double beta);
 
 } // namespace nrb::refine

@@ -11,7 +11,8 @@ namespace nrb::refine {
 
 namespace {
 
-// The polar values of a coordinate of f over its pieces; all its values lie between them.
+// The range of the Bernstein coefficients of coordinate k of f over all pieces. By the convex hull property
+// it contains all values of that coordinate.
 Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
     Interval hull{pieces.front().coefficients(k).front(), pieces.front().coefficients(k).front()};
     for (const CurvePiece &piece : pieces) {
@@ -21,12 +22,12 @@ Interval hull_of(const std::vector<CurvePiece> &pieces, int k) noexcept {
     return hull;
 }
 
-// More would be a mistake rather than a curve: f in degrees on a circle in radians.
+// A curve that runs over more periods is taken for a mistake, such as an f in degrees on a circle in radians.
 constexpr double most_periods = 65536;
-// Beyond this neighbouring doubles are a period apart.
+// Beyond this distance, neighbouring doubles are a period apart.
 constexpr double farthest_period = 0x1p52;
 
-// A periodic axis over all periods that f runs through.
+// A periodic axis unrolled over all periods that f visits.
 KnotVectorPtr with_periods(const KnotVector &axis, int k, Interval range) {
     const auto [lower, upper] = axis.domain();
     const double first = std::floor((range.lower - lower) / (upper - lower));

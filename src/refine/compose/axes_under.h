@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a curve in the parameter space of a spline runs over.
+// The axes of a spline, extended to what a curve in its parameter space visits.
 #pragma once
 
 #include "refine/compose/crossings.h"
@@ -8,11 +8,12 @@
 
 namespace nrb::refine {
 
-// The pieces of a curve, which must outlive them.
+// The polynomial pieces of a curve. The curve must outlive them.
 std::vector<CurvePiece> pieces_of(const Spline &f);
 
-// The axes of g under a curve; periodic ones that it leaves, over all periods that it runs through. Throws Status::outside_domain for
-// more than 65536 of them, or any that is more than 2^52 periods away.
+// The axes of g; a periodic axis whose domain the curve leaves is unrolled over all periods that the curve
+// visits. Throws Status::outside_domain if these are more than 65536, or if one of them is more than 2^52
+// periods away.
 Spline::Axes axes_under(const Spline &g, const std::vector<CurvePiece> &pieces);
 
 } // namespace nrb::refine

@@ -41,7 +41,8 @@ int composed_degree(const Spline &g, const Spline &f) {
     return total * q;
 }
 
-// The order of continuity that f and g leave to a spline of degree `degree` between two cells.
+// The number of knots that the continuity of f and g requires between two cells, in a spline of degree
+// `degree`.
 int copies_between(const Spline &g, const Spline &f, int degree, const std::vector<CurvePiece> &pieces,
                    const SpanCell &a, const SpanCell &b) noexcept {
     int smooth = degree;
@@ -52,7 +53,7 @@ int copies_between(const Spline &g, const Spline &f, int degree, const std::vect
     for (int k = 0; k < g.axes(); ++k) {
         const auto at = static_cast<size_t>(k);
         if (a.spans[at] != b.spans[at]) {
-            const int64_t crossed = std::abs(b.spans[at] - a.spans[at]); // knots, as often as they occur
+            const int64_t crossed = std::abs(b.spans[at] - a.spans[at]); // knots, with multiplicity
             smooth = static_cast<int>(std::min<int64_t>(smooth, g.axis(k).degree() - crossed));
         }
     }
@@ -100,7 +101,7 @@ private:
         cell_after_.insert(cell_after_.end(), static_cast<size_t>(copies), cell);
     }
 
-    // If polar values of f overshoot its values, weights of the result may overshoot to below 0.
+    // Whether a weight is negative. This can happen if polar values of f overshoot the values of f.
     [[nodiscard]] bool has_negative_weight(const std::vector<double> &records) const noexcept {
         const auto width = static_cast<size_t>(g_.width());
         bool negative = false;
@@ -110,9 +111,9 @@ private:
         return negative;
     }
 
-    // The cell of the longest span in the support of a layer; the first one if there are several. All spans
-    // give the same control point, as far as crossings are known. Next to a piece so short that they are not,
-    // the spans outside it count.
+    // The cell that contains the longest span in the support of a layer (the first such span if several are
+    // equally long). All spans of the support give the same control point, as far as crossings are known.
+    // Next to a piece so short that they are not known, the spans outside the piece count.
     [[nodiscard]] const SpanCell &cell_for(int64_t layer) const noexcept {
         const auto length = [&](int64_t span) {
             return knots_[static_cast<size_t>(span) + 1] - knots_[static_cast<size_t>(span)];
@@ -124,7 +125,7 @@ private:
         return cells_[cell_after_[static_cast<size_t>(best)]];
     }
 
-    // Distinct knots among the arguments of a layer.
+    // The window of a layer, and the distinct knots among its arguments.
     [[nodiscard]] Window window(int64_t layer, Knots &distinct) const noexcept {
         Window window{};
         for (int64_t i = layer + 1; i <= layer + degree_; ++i) {
@@ -137,7 +138,8 @@ private:
         return window;
     }
 
-    // A layer, and those after it that lie between the same knots. Returns where they end.
+    // Appends a layer, and the layers after it that have the same cell and the same distinct knots. Returns
+    // the layer after them.
     int64_t append_layers(int64_t layer, int64_t layers, std::vector<double> &records) {
         cell_ = &cell_for(layer);
         windows_.assign(1, window(layer, window_knots_));
@@ -165,7 +167,8 @@ private:
         }
     }
 
-    // The control points of g that are active in the cell; they repeat with the periods of an axis.
+    // Copies the control points of g that are active in the cell. On a periodic axis they repeat with the
+    // period.
     double *load_block(int k, int64_t base, double *out) const {
         if (k == g_.axes()) {
             return std::copy_n(g_.records().data() + base * g_.width(), g_.width(), out);
@@ -182,12 +185,12 @@ private:
     const Spline &g_;
     int degree_;
     std::vector<CurvePiece> pieces_;
-    Spline::Axes axes_; // of g, with the periods that f runs through
+    Spline::Axes axes_; // of g, with the periods that f visits
     std::vector<SpanCell> cells_;
     std::vector<double> knots_;      // of the result
-    std::vector<size_t> cell_after_; // of each knot
+    std::vector<size_t> cell_after_; // for each knot, the cell that follows it
 
-    // Data of the layers that are being made.
+    // Data of the layers that are being computed.
     ComposedLayer layer_;
     const SpanCell *cell_ = nullptr;
     std::vector<Window> windows_;

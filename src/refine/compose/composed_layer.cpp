@@ -11,7 +11,7 @@ namespace nrb::refine {
 
 namespace {
 
-constexpr int64_t work_of_a_term = 100; // for each component: a contraction, a compensated sum
+constexpr int64_t work_of_a_term = 100; // for each component: one contraction, one compensated sum
 
 } // namespace
 
@@ -46,14 +46,14 @@ void ComposedLayer::begin(std::span<const CommonKnots::Window> windows, std::spa
 
 void ComposedLayer::list_choices(const CommonKnots::Window &most, std::span<const double> knots) {
     choices_.clear();
-    if (most.size == 0 && f_.axis(0).degree() > 0) { // g is of degree 0 and takes no arguments
+    if (most.size == 0 && f_.axis(0).degree() > 0) { // g has degree 0 and takes no arguments
         return;
     }
     for_each_choice(most, f_.axis(0).degree(),
                     [&](const int *chosen, double) { choices_.push_back(choice_of(chosen, knots)); });
 }
 
-// A value of f at a knot may be a knot of g.
+// If all arguments are one knot, the value of f there may be a knot of g, to which it is then snapped.
 ComposedLayer::Choice ComposedLayer::choice_of(const int *chosen,
                                                std::span<const double> knots) const noexcept {
     Choice choice{{}, {}, 1, 1};
@@ -78,8 +78,8 @@ ComposedLayer::Choice ComposedLayer::choice_of(const int *chosen,
     return choice;
 }
 
-// Values between those at the first and the last knot, to within what is known of them, count as shares of the lowest and the
-// highest one.
+// Values that lie between those at the first and the last knot, to within rounding, are clamped to that
+// interval, and are later replaced by affine combinations of the least and the greatest of them.
 void ComposedLayer::distribute(size_t k, std::span<const CommonKnots::Window> windows,
                                std::span<const double> knots) {
     const Interval ends = ends_of(k, knots);
@@ -112,7 +112,7 @@ Interval ComposedLayer::ends_of(size_t k, std::span<const double> knots) const n
     return {lower, upper};
 }
 
-// What the arguments of the other axes can use up need not be used up by those of this one.
+// Copies that the arguments of the other axes can take need not be taken by those of this axis.
 CopyBounds ComposedLayer::bounds_of(size_t k, std::span<const CommonKnots::Window> windows) const noexcept {
     const int q = f_.axis(0).degree(), own = q * axes_[k]->degree();
     int others = -own;
@@ -167,8 +167,9 @@ void ComposedLayer::take(const DistributedRows::Share &share, int times) noexcep
     }
 }
 
-// Adds the values of G for all ways to distribute the remaining knots, from axis k on; the last one takes all that are left. The
-// orders of equal knots of the window are as many for all of them and do not count.
+// Adds the values of G for all ways to distribute the remaining knots over the arguments of axes k, k + 1,
+// .... The last axis takes all knots that are left. The number of orders of equal knots is the same for all
+// ways and cancels in the mean.
 void ComposedLayer::next_axis(int k, const double *points, double times) {
     const DistributedRows &rows = rows_[static_cast<size_t>(k)];
     if (k == g_.axes() - 1) {

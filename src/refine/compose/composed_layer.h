@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Control points of a composition whose supports hold several cells.
+// The control points of a composition, by blossoming: means over all ways to distribute the knots of a
+// window.
 #pragma once
 
 #include "numeric/sum.h"
@@ -15,30 +16,32 @@
 
 namespace nrb::refine {
 
-// A control point is the mean of G(F(..), F(..), ...) over all ways to give q of its knots to each argument of the polar form G of
-// the outer function, with F that of the inner curve, of degree q. Ways that differ in the order of the arguments of an axis are
-// taken once, and what control points between the same knots have in common is made once. Terms are added up as if in twice the
-// precision.
+// Computes control points of g(f(t)). With G the polar form of g, and F that of f, of degree q, a control
+// point is the mean of G(F(...), F(...), ...) over all ways to give q of its knots to each argument of G.
+// Ways that differ only in the order of the arguments of an axis are computed once, and so is what control
+// points between the same knots have in common. The terms are added by compensated summation.
 class ComposedLayer {
 public:
-    // All must outlive this.
+    // All arguments must outlive this.
     ComposedLayer(const Spline &g, const Spline &f, const std::vector<CurvePiece> &pieces,
                   const Spline::Axes &axes);
 
-    // Windows of the same knots, which differ in the copies of them; block: the control points of g that are active in the cell,
-    // last axis fastest. Both must outlive the control points.
+    // Prepares for windows that contain the same distinct knots and differ only in their multiplicities.
+    // block: the control points of g that are active in the cell, last axis fastest. cell and block must
+    // outlive the calls of make().
     void begin(std::span<const CommonKnots::Window> windows, std::span<const double> knots,
                const SpanCell &cell, const double *block);
-    // The record of the control point of one of the windows, valid until the next one.
+    // The record of the control point with this window, one of those that begin() was given. It is valid
+    // until the next call.
     const std::vector<double> &make(const CommonKnots::Window &window);
 
 private:
-    // Knots for an argument, and the values and the weight of f there.
+    // Knots chosen for one argument of G, and the values and the weight of f at them.
     struct Choice {
         Copies copies;
         std::array<double, max_axes> values;
         double weight;
-        double orders; // of the knots, where equal ones do not count
+        double orders; // of the chosen knots, equal ones not distinguished
     };
 
     void list_choices(const CommonKnots::Window &most, std::span<const double> knots);
@@ -58,16 +61,16 @@ private:
     const Spline::Axes &axes_;
     bool weighted_;
     std::array<int64_t, max_axes> lengths_{};
-    std::array<std::vector<double>, max_axes> parts_; // of the first axis for all shares
+    std::array<std::vector<double>, max_axes> parts_; // [0]: for all shares of axis 0
 
-    // Of the windows between the present knots.
+    // Data of the windows between the present knots.
     const SpanCell *cell_ = nullptr;
     size_t knots_ = 0;
     std::vector<Choice> choices_;
     std::vector<ArgumentChoice> of_axis_;
     std::array<DistributedRows, max_axes> rows_;
 
-    // Of the control point that is being made.
+    // Data of the control point that is being computed.
     Copies left_{}; // of the knots
     std::vector<CompensatedSum> sums_;
     CompensatedSum total_;

@@ -26,7 +26,8 @@ CurvePiece::CurvePiece(const Spline &curve, int64_t span) : curve_(&curve), span
 
 namespace {
 
-// The rows of a polar form at `to` 0, ..., degree times, at `from` the other times, with the bits of blossom_row().
+// The rows of a polar form with `to` as j of its arguments and `from` as the others, j = 0, ..., degree. If
+// neither is a knot at an end of the span, all rows are computed together, with the bits of blossom_row().
 class BernsteinRows {
 public:
     BernsteinRows(const KnotVector &axis, int64_t span, double from, double to) noexcept
@@ -35,14 +36,14 @@ public:
         std::fill_n(arguments_.begin(), q, from);
         std::fill_n(arguments_.begin() + axis.degree(), q, to);
         together_ =
-            q > 1 && axis[span] < from && to < axis[span + 1]; // none is a knot, which ends a row early
+            q > 1 && axis[span] < from && to < axis[span + 1]; // knots as arguments would shorten rows
         if (together_) {
             const double *right = axis.knots().data() + span + 1;
             sliding_blossom_rows(axis.degree(), right, right, arguments_.data(), axis.degree() + 1,
                                  values_.data());
         }
     }
-    // The row at which `to` counts j times.
+    // The row in which `to` occurs j times.
     [[nodiscard]] BlossomRow row(int j) const noexcept {
         const int q = axis_.degree();
         if (!together_) {
@@ -61,8 +62,7 @@ private:
     int64_t span_;
     bool together_ = false;
     std::array<double, 2 * max_basis> arguments_{};
-    std::array<double, (max_basis + row_lanes) * max_basis>
-        values_; // of all rows, where they are made together
+    std::array<double, (max_basis + row_lanes) * max_basis> values_; // of all rows, if computed together
 };
 
 } // namespace
@@ -136,7 +136,7 @@ double CurvePiece::value(int k, double t) const noexcept {
     return polar_value(k, std::span(arguments).first(static_cast<size_t>(degree())));
 }
 
-// Multiplied by eps before anything can overflow; t / length is at most 1 / eps.
+// Magnitudes are multiplied by eps before anything can overflow; t / length is at most 1 / eps.
 CurvePiece::Known CurvePiece::known_of(int k) const {
     const int q = degree();
     const Interval eps_range = eps_times_range(k);
@@ -157,7 +157,7 @@ CurvePiece::Known CurvePiece::known_of(int k) const {
     return known;
 }
 
-// eps times the range of the active control points.
+// eps times the range of the coordinate over the active control points.
 Interval CurvePiece::eps_times_range(int k) const noexcept {
     Interval range{HUGE_VAL, -HUGE_VAL};
     for (int64_t i = span_ - degree(); i <= span_; ++i) {
@@ -167,10 +167,11 @@ Interval CurvePiece::eps_times_range(int k) const noexcept {
     return range;
 }
 
-// Bound of eps t |F'|, to which each control point contributes its steps to the next one. With weights F' is
-// the sum of q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), N_i being those of degree
-// q - 1, divided by the weight, and F lies among the F_i; equal weights have the ratios 1 + 1, of which
-// `even` are left out.
+// A bound of eps |t| |F'|, the maximum over the control points of what their differences contribute. With
+// weights, F' is the sum of q N_i (w_(i+1) (F_(i+1) - F) - w_i (F_i - F)) / (t_(i+q+1) - t_(i+1)), divided by
+// the weight, where the N_i have degree q - 1 and F lies among the F_i. So the differences are bounded by the
+// range of the F_i times (w_i + w_(i+1)) / min w. For equal weights this factor is 2; `even` is subtracted
+// from it.
 double CurvePiece::eps_times_slope(int k, double even) const noexcept {
     const KnotVector &axis = curve_->axis(0);
     const int q = axis.degree();
@@ -201,7 +202,8 @@ double CurvePiece::uncertainty_at(int k, double t) const noexcept {
 
 namespace {
 
-// The signs of coordinate k minus c over a part of the piece, which has these coefficients and weights.
+// The signs of coordinate k minus c over a part of the piece, given its Bernstein coefficients and weights
+// there.
 SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertainty,
                        std::span<const double> values, std::span<const double> weights, Interval part) {
     UncertainNet<max_basis> net{piece.degree(), uncertainty, !weights.empty()};
@@ -216,7 +218,7 @@ SignProfile profile_of(const CurvePiece &piece, int k, double c, double uncertai
                          [&piece, k, c](double t) { return piece.value(k, t) - c; });
 }
 
-// Whether no jump goes back.
+// Whether a jump between two pieces does not go against the direction of the curve.
 bool continues(const CurvePiece &before, const CurvePiece &piece, bool rising) noexcept {
     const double from = before.coefficients(0).back(), to = piece.coefficients(0).front();
     const double slack = std::max(before.uncertainty(0), piece.uncertainty(0));
@@ -253,10 +255,13 @@ bool lies_above(const CurvePiece &piece, int k, double c, Interval part) {
 
 namespace {
 
-// Signs of the derivative of a curve of dimension 1 with weights. From B_i' B_j - B_i B_j' = (i - j) B_i B_j
-// / (t (1 - t)) its numerator has the Bernstein coefficients sum over i + j = k + 1, i < j of (j - i)
-// binomial(q, i) binomial(q, j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i), which no translation of the F_i
-// changes.
+// The signs of the derivative of a one-dimensional rational curve. From B_i' B_j - B_i B_j' = (i - j) B_i B_j
+// / (t (1 - t)), the numerator of the derivative has the Bernstein coefficients
+//
+//     sum over i + j = k + 1, i < j, of
+//         (j - i) binomial(q, i) binomial(q, j) / binomial(2 q - 2, k) w_i w_j (F_j - F_i),
+//
+// which no translation of the F_i changes.
 SignProfile quotient_slope(const CurvePiece &piece) {
     constexpr size_t size = 2 * max_basis;
     const std::span<const double> points = piece.coefficients(0), weights = piece.weights();
@@ -271,11 +276,11 @@ SignProfile quotient_slope(const CurvePiece &piece) {
             net.weights[k] += size_of_term;
         }
     }
-    const auto any = [](double) { return 0.0; }; // zeros are not asked for
+    const auto any = [](double) { return 0.0; }; // the places of zeros are not needed
     return signs_between(piece.lower(), piece.upper(), net, any);
 }
 
-// Calls check(signs of the derivative) on all pieces, until it returns false.
+// Calls check(signs of the derivative) for one piece after another, until it returns false.
 template <class Check>
 bool all_slopes(const SplinePtr &curve, Check check) {
     const SplinePtr slope = curve->rational() ? curve : polynomial_derivative(curve, 0, 1);

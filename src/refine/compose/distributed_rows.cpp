@@ -92,7 +92,8 @@ void DistributedRows::bound_choices() {
     }
 }
 
-// The copies of all knots but one tell those of the last, so that with the most copies is left out.
+// A place is a number for each set of copies, in mixed radix. The total number of copies is fixed, so the
+// copies of one knot follow from those of the others: the knot with the largest range is left out.
 void DistributedRows::number_places() {
     const auto range = [&](size_t i) { return bounds_.most[i] - bounds_.least[i] + 1; };
     size_t longest = 0, places = 1;
@@ -106,7 +107,7 @@ void DistributedRows::number_places() {
     found_.resize(std::max(found_.size(), places));
 }
 
-// Places are many and most of them are never found, so the others are cleared one by one.
+// There may be many places, most of which were never found. Only those that were found are reset.
 void DistributedRows::forget() {
     for (const Slot &slot : slots_) {
         found_[slot.place] = 0;
@@ -124,7 +125,7 @@ size_t DistributedRows::place_of(const Copies &copies) const noexcept {
     return place;
 }
 
-// Whether the choices from `next` on may give the arguments that are missing.
+// Whether choices from `next` on may supply the missing arguments within the bounds. (A necessary condition.)
 bool DistributedRows::can_end(int missing, size_t next) const noexcept {
     const auto &[least, most] = reach_[next];
     int wanted = 0, usable = 0;
@@ -140,7 +141,7 @@ bool DistributedRows::can_end(int missing, size_t next) const noexcept {
     return wanted <= all && all <= usable && (missing == 0 || next < choices_.size());
 }
 
-// Whether so many more of a choice can be had; if so, their copies are used up.
+// Takes a choice `times` times if the bounds allow it. Returns whether they do.
 bool DistributedRows::take(const Choice &choice, int times) noexcept {
     for (size_t i = 0; i < bounds_.knots; ++i) {
         if (copies_[i] + times * choice.copies[i] > bounds_.most[i]) {
@@ -157,7 +158,7 @@ void DistributedRows::give_back(const Choice &choice, int times) noexcept {
     }
 }
 
-// So many of the arguments that are missing.
+// The number of ways after `times` of the `missing` arguments have been given this choice.
 DistributedRows::Ways DistributedRows::with(Ways ways, const Choice &choice, int times,
                                             int missing) const noexcept {
     const auto n = static_cast<size_t>(times);
@@ -195,7 +196,7 @@ void DistributedRows::begin(int missing, Ways ways) {
     }
 }
 
-// Precondition here and below: can_end(missing, next).
+// Precondition of take_mixed() and take_ends(): can_end(missing, next).
 void DistributedRows::take_mixed(size_t next, int missing, Ways ways, size_t mixed) {
     if (next == mixed_) {
         return take_ends(next, missing, ways, mixed, 0);
@@ -214,7 +215,8 @@ void DistributedRows::take_mixed(size_t next, int missing, Ways ways, size_t mix
     give_back(choice, times - 1);
 }
 
-// Of the arguments before, so many are B. The last choice has to do for all that are missing.
+// `upper` counts the arguments so far that are B. The last choice has to supply all arguments that are
+// missing.
 void DistributedRows::take_ends(size_t next, int missing, Ways ways, size_t mixed, size_t upper) {
     if (missing == 0) {
         return add_way(ways, mixed, upper);
@@ -235,7 +237,7 @@ void DistributedRows::take_ends(size_t next, int missing, Ways ways, size_t mixe
     give_back(choice, times - 1);
 }
 
-// The shares of one more argument than so many.
+// From the coefficients for `mixed` mixed arguments, computes those for one more.
 void DistributedRows::mix(const Choice &choice, size_t mixed) noexcept {
     const auto &shares = shares_[mixed];
     auto &more = shares_[mixed + 1];
@@ -261,7 +263,7 @@ void DistributedRows::add_way(Ways ways, size_t mixed, size_t upper) {
 DistributedRows::Slot &DistributedRows::slot_of_copies() {
     const size_t place = place_of(copies_);
     size_t &found = found_[place];
-    if (found <= nodes_.back().slot) { // that of another node, or none
+    if (found <= nodes_.back().slot) { // of another node, or not yet found
         slots_.push_back({place, sums_.size(), nodes_.size() - 1, copies_, {}});
         sums_.resize(sums_.size() + nodes_.back().open + 1);
         found = slots_.size();
@@ -283,7 +285,7 @@ void DistributedRows::make_rows() {
     batches_.finish();
 }
 
-// With so many copies of B.
+// Adds the row of a node in which B occurs `number` times and A in all other open arguments.
 void DistributedRows::add_row(const Node &node, size_t number) {
     std::array<double, max_basis> arguments;
     double *end = std::ranges::copy(node.arguments, arguments.data()).out;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values of the polar form along one axis, over all ways to give its arguments some of the knots of windows.
+// The polar form along one axis of the outer function of a composition, averaged over the ways to give its
+// arguments some of the knots of a window.
 #pragma once
 
 #include "basis/bspline.h"
@@ -15,11 +16,12 @@
 
 namespace nrb::refine {
 
-// Copies of each distinct knot of a window.
+// The number of copies of each distinct knot of a window.
 using Copies = std::array<int8_t, max_basis>;
 
-// What one argument may be: the value and the weight of the inner function at some knots of the window, and the orders that these
-// have, where equal ones do not count.
+// What one argument of the polar form may be: the copies of the window's knots that are chosen for it, the
+// value and the weight of the inner function there, and in how many orders the knots can be arranged, equal
+// ones not distinguished.
 struct ArgumentChoice {
     Copies copies;
     double value;
@@ -27,66 +29,70 @@ struct ArgumentChoice {
     double orders;
 };
 
-// How many copies of each of the `knots` distinct knots all arguments of the axis may use up.
+// How many copies of each of the window's `knots` distinct knots the arguments of the axis together may take.
 struct CopyBounds {
     size_t knots;
     Copies least, most;
 };
 
-// Ways that use up the same copies are taken together: what other axes do with the rest of a window depends on the copies alone,
-// and so windows that differ in their copies only have these rows in common.
+// Averages a polar form over the ways to choose its arguments, separately for each set of copies that the
+// arguments take from the window. What other axes do with the rest of the window depends on these copies
+// alone, so windows that differ only in their multiplicities share the result.
 //
-// A polar form is affine in each argument. Choices between the two values A and B at the ends of the windows are therefore
-// replaced by shares of A and B, and only rows for i times B, the other times A, are made for each way to choose the arguments that
-// are left: those that are knots between A and B, and those that are beyond A and B. All knots between A and B stay arguments, so
-// factors remain in [0, 1].
+// A polar form is affine in each argument. Let A and B be the least and the greatest value of an argument
+// between the values of the inner function at the first and the last knot of the window. An argument strictly
+// between A and B ("mixed") is replaced by an affine combination of A and B. An argument that is a knot of
+// the axis between A and B, or lies beyond A or B ("closed"), is kept. Rows are then needed only for each
+// choice of closed arguments, with B as i of the others and A as the rest. All knots between A and B remain
+// arguments, so factors stay in [0, 1].
 class DistributedRows {
 public:
-    // The mean over the ways that use up `copies`: coefficients of the degree + 1 control points that are active in the span,
-    // times the weights of the choices. Orders of equal knots count once, those of arguments as often as there are.
+    // The mean over the ways that take `copies` from the window, with each way multiplied by the weights of
+    // its choices: coefficients of the degree + 1 control points that are active in the span. `ways` is the
+    // number of these ways. Different orders of the arguments count separately; orders of equal knots do not.
     struct Share {
         Copies copies;
         double ways;
         std::array<double, max_basis> row;
     };
 
-    // between: A and B, as an interval. All must outlive the use of the shares.
+    // between: the interval from A to B. All arguments must outlive the use of the shares.
     void make(const KnotVector &axis, int64_t span, std::span<const ArgumentChoice> choices, Interval between,
               const CopyBounds &bounds);
 
     [[nodiscard]] const std::vector<Share> &shares() const noexcept { return means_; }
-    // The one that uses up just these; null: there is none.
+    // The share that takes exactly these copies; null if there is none.
     [[nodiscard]] const Share *find(const Copies &copies) const noexcept;
 
 private:
     enum class Kind { closed, mixed, end };
     struct Choice : ArgumentChoice {
-        double smaller; // share of A and B, whichever is smaller
-        bool is_upper;  // it is that of A: the value is nearer to B, or B
-        size_t powers;  // the first of its own
+        double smaller; // the smaller one of its coefficients of A and B
+        bool is_upper;  // `smaller` is the coefficient of A: the value is nearer to B
+        size_t powers;  // index of the first of its powers_
     };
-    // Orders of some arguments, and of the knots in each.
+    // The number of orders of the arguments so far and of the knots in each of them.
     struct Ways {
         double count;
-        double weighted; // times the weights
+        double weighted; // the same, times the weights
     };
-    // Ways with the same arguments that are neither A nor B, of which `open` are missing.
+    // All ways with the same closed arguments; the other `open` arguments are combinations of A and B.
     struct Node {
         std::vector<double> arguments;
         size_t open;
-        size_t row;                  // the first of open + 1
-        size_t slot;                 // the first of its own
-        std::bitset<max_basis> used; // rows that have a share
+        size_t row;                  // the first of its open + 1 rows
+        size_t slot;                 // the first of its slots
+        std::bitset<max_basis> used; // rows with a coefficient
     };
-    // Those of a node that use up the same copies. Its sums are those of the rows of the node.
+    // The ways of a node that take the same copies. It has one sum for each row of the node.
     struct Slot {
-        size_t place; // of the copies
+        size_t place; // of its copies, see place_of()
         size_t sums;
         size_t node;
         Copies copies;
         CompensatedSum ways;
     };
-    // Copies that the choices from one on use up, of each knot, at least and at most.
+    // The least and the largest number of copies of each knot in any of the choices from a given one on.
     struct Reach {
         Copies least, most;
     };
@@ -117,19 +123,19 @@ private:
     int64_t span_ = 0;
     Interval between_{};
     CopyBounds bounds_{};
-    std::vector<Choice> choices_;   // by their kind
-    std::vector<Ways> powers_;      // of 0, 1, ... arguments of each
-    size_t closed_ = 0, mixed_ = 0; // where those end
+    std::vector<Choice> choices_;   // closed, mixed, then ends
+    std::vector<Ways> powers_;      // of 0, 1, ... arguments per choice
+    size_t closed_ = 0, mixed_ = 0; // ends of the first two kinds
     std::vector<Reach> reach_;
     int inner_degree_ = 0;
     std::array<size_t, max_basis> strides_{};
-    std::vector<size_t> found_; // by places: 1 + the slot in which they were found last
+    std::vector<size_t> found_; // for each place: 0, or 1 + the index of its slot or share
 
-    // Of the present way.
+    // Data of the way that is being enumerated.
     Copies copies_{};
-    std::vector<double> arguments_; // that are closed
+    std::vector<double> arguments_; // the closed ones
     std::array<std::array<double, max_basis + 1>, max_basis + 1>
-        shares_{}; // of 0, 1, ... mixed ones: by copies of B
+        shares_{}; // [number of mixed arguments][copies of B]
     std::vector<Node> nodes_;
     std::vector<Slot> slots_;
     std::vector<CompensatedSum> sums_;

@@ -45,18 +45,19 @@ std::vector<Crossing> crossings(const Spline::Axes &axes, const CurvePiece &piec
     return found;
 }
 
-// Whether f is at the knot all the way from a place to the crossing, as far as its values are known.
+// Whether f equals the knot, to within its uncertainty, everywhere between t and the crossing.
 bool stays(const CurvePiece &piece, double t, const Crossing &crossing) noexcept {
     const double uncertainty = piece.uncertainty(crossing.axis);
     if (std::fabs(piece.value(crossing.axis, t) - crossing.knot) > uncertainty) {
-        return false; // one value in place of all coefficients, most often
+        return false; // mostly saves computing all coefficients
     }
     const Coefficients values = piece.coefficients_between(crossing.axis, t, crossing.t);
     return std::all_of(values.begin(), values.begin() + piece.degree() + 1,
                        [&](double value) { return std::fabs(value - crossing.knot) <= uncertainty; });
 }
 
-// The start of the piece and the crossings inside it that can be told from its ends and from each other.
+// The start of the piece, and the crossings inside it that can be distinguished from its ends and from each
+// other.
 std::vector<double> starts_of(const Spline::Axes &axes, const CurvePiece &piece) {
     std::vector<double> starts{piece.lower()};
     for (const Crossing &crossing : crossings(axes, piece)) {
@@ -67,8 +68,8 @@ std::vector<double> starts_of(const Spline::Axes &axes, const CurvePiece &piece)
     return starts;
 }
 
-// The span of an axis in which the piece lies on a part between crossings: that of the last knot above which
-// it lies, among those that may be meant.
+// The span of an axis in which the piece lies, on a part between crossings. It begins at the highest knot
+// above which the piece lies, among the knots up to its value plus the uncertainty.
 int64_t span_of(const KnotVector &axis, const CurvePiece &piece, int k, Interval part) {
     const double value = piece.value(k, part.lower + (part.upper - part.lower) / 2);
     const std::span<const double> breaks = axis.spans().breaks();

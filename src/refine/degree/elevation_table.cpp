@@ -27,30 +27,32 @@ std::vector<Group> groups_of(std::span<const double> knots) {
     return groups;
 }
 
-// Old knots first, ..., end - 1, all of which are arguments of a polar form, and its other arguments, as
-// places of old knots.
+// The arguments of a polar form, as indices of old knots: the consecutive knots first, ..., end - 1, and
+// further ones.
 struct Arguments {
     int64_t first;
     int64_t end;
     int added;
-    int64_t extra[max_basis]; // the first `added` are set
+    int64_t extra[max_basis]; // `added` of them are set
 };
 
-// What makes a row: coefficients `first`, ..., first + width - 1 are sums of terms.
+// How a row is computed: its coefficients, which belong to layers first, ..., first + width - 1, are a sum of
+// terms.
 struct RowShape {
     int64_t first;
     int width;
     int terms;
     BlossomTerm term[max_basis];
 
-    // Whether all terms belong to one control point.
+    // Whether all terms belong to one control point, so that the row is a copy of it.
     [[nodiscard]] bool copies() const noexcept { return width == 1; }
     [[nodiscard]] std::span<const BlossomTerm> all() const noexcept {
         return {term, static_cast<size_t>(terms)};
     }
 };
 
-// The degree + 1 consecutive raised knots that belong to a control point, by groups.
+// The window of a new control point: degree + 1 consecutive raised knots, grouped by value. Raised knots are
+// the old ones with one more copy of each.
 class RaisedKnots {
 public:
     RaisedKnots(int degree, std::span<const double> knots, const std::vector<Group> &groups)
@@ -69,11 +71,11 @@ public:
         }
     }
     [[nodiscard]] int64_t raised_first(int64_t group) const noexcept {
-        return this->group(group).first + group; // one more of each group before
+        return this->group(group).first + group; // each group before has one more
     }
 
-    // The average over the windows without one of the knots: one term for each group, weighted by the number
-    // of copies that can be dropped.
+    // The mean over the windows with one knot dropped. There is one term for each group, weighted by the
+    // number of copies that can be dropped.
     void shape(RowShape &shape) const noexcept {
         shape.terms = size_;
         int64_t layers[max_basis];
@@ -93,9 +95,9 @@ public:
 private:
     [[nodiscard]] const Group &group(int64_t i) const noexcept { return groups_[static_cast<size_t>(i)]; }
 
-    // All arguments are the same knot.
+    // The case in which all arguments are one knot.
     void single(const Group &only, Arguments &arguments) const noexcept {
-        // Where the curve is cut the first copies end one part and the last ones begin the next.
+        // Where the curve may jump, the first copies end one piece and the last copies begin the next.
         const bool cut = only.multiplicity > degree_;
         const bool after = cut && (size_ == 1 ? !at_start_ : only.knot == group(group_).knot);
         arguments.first = only.first + (after ? 1 : 0);
@@ -104,8 +106,9 @@ private:
         std::fill_n(arguments.extra, arguments.added, only.first);
     }
 
-    // The window without one copy of its group `dropped`. Old knots strictly inside it are among the
-    // arguments as often as they occur; the knots at its ends are the other arguments.
+    // The arguments that remain when one copy of group `dropped` is removed from the window. Old knots
+    // strictly inside occur among them as often as in the old vector; further arguments are knots at the two
+    // ends.
     void drop(int dropped, Arguments &arguments) const noexcept {
         const auto copies = [&](int i) { return copies_[i] - (i == dropped ? 1 : 0); };
         const int low = copies(0) == 0 ? 1 : 0;
@@ -125,9 +128,9 @@ private:
         }
     }
 
-    // With d further arguments a polar form is a combination of d + 1 control points: Cox-de Boor steps over
-    // the knots around the arguments that it has (T. Lyche, K. Morken, "Making the Oslo algorithm more
-    // efficient", SIAM J. Numer. Anal. 23 (1986)). Returns the first control point.
+    // With d arguments that are not old knots, the polar form is a combination of d + 1 control points:
+    // Cox-de Boor steps over the old knots around its other arguments (T. Lyche, K. Morken, "Making the Oslo
+    // algorithm more efficient", SIAM J. Numer. Anal. 23 (1986)). Returns the first of these control points.
     int64_t make_term(int dropped, BlossomTerm &term) const noexcept {
         Arguments arguments;
         drop(dropped, arguments);
@@ -151,7 +154,7 @@ private:
     int copies_[max_basis] = {};
 };
 
-// The rows of windows one after another, into a table whose layers begin at `shift`.
+// Appends the rows of consecutive windows to a table in which old layer `shift` has number 0.
 class RowMaker {
 public:
     RowMaker(const KnotVector &axis, std::span<const double> knots, const std::vector<Group> &groups,
@@ -159,7 +162,7 @@ public:
         : degree_(axis.degree()), groups_(groups), shift_(shift), table_(table),
           raised_(degree_, knots, groups) {}
 
-    // Rows that begin at raised knots `at`, ..., end - 1.
+    // The rows of the windows that begin at raised knots `at`, ..., end - 1.
     void make(int64_t at, int64_t end) {
         for (int64_t group = first_group(at); at < end;) {
             while (group + 1 < std::ssize(groups_) && raised_.raised_first(group + 1) <= at) {
@@ -175,7 +178,7 @@ private:
         return groups_[static_cast<size_t>(group)].multiplicity;
     }
 
-    // The group of a raised knot.
+    // The group of raised knot `at`.
     [[nodiscard]] int64_t first_group(int64_t at) const noexcept {
         int64_t low = 0, high = std::ssize(groups_) - 1;
         while (low < high) {
@@ -186,9 +189,9 @@ private:
         return low;
     }
 
-    // How many of the next groups, a multiple of row_lanes, have windows that see only knots of one
-    // multiplicity. No window reaches further than degree + 1 groups before the first, and twice as many
-    // after the last.
+    // How many groups from `group` on, a multiple of row_lanes, have windows that contain only knots of one
+    // multiplicity. No window depends on groups farther than degree + 1 before the first one, or twice as
+    // many after the last one.
     int64_t alike(int64_t at, int64_t group, int64_t end) {
         const int64_t reach = degree_ + 1;
         const int64_t wanted = (end - at) / (multiplicity(group) + 1);
@@ -218,7 +221,8 @@ private:
         return 1;
     }
 
-    // The windows that begin in `count` groups. Windows with the same place in their group are alike.
+    // The rows of the windows that begin in `count` groups. Windows that begin at the same copy in their
+    // group have the same shape.
     int64_t make_rows(int64_t at, int64_t group, int64_t count) {
         const int m = multiplicity(group);
         LayerTable::Row pattern[max_basis + 1];
@@ -248,7 +252,7 @@ private:
     int64_t shift_;
     LayerTable &table_;
     RaisedKnots raised_;
-    int64_t run_first_ = 0; // the groups of one multiplicity around the present one
+    int64_t run_first_ = 0; // the present run of groups of one multiplicity
     int64_t run_end_ = 0;
 };
 
@@ -258,14 +262,14 @@ int64_t group_at(const std::vector<Group> &groups, int64_t index) noexcept {
     return after - groups.begin() - 1;
 }
 
-// Raised knots first, ..., end - 1 are those of the elevated axis.
+// The raised knots first, ..., end - 1.
 struct Range {
     int64_t first;
     int64_t end;
 };
 
-// `lead` extended knots stand before the stored ones. On a periodic axis the new copy of an end of the domain
-// stands after it at both ends; on any other axis it stands outside.
+// The raised knots that make up the new axis. `lead` knots precede the stored ones. On a periodic axis, the
+// new copy of either end of the domain follows that end; on any other axis it lies outside the domain.
 Range kept_knots(const KnotVector &axis, const std::vector<Group> &groups, int64_t lead) noexcept {
     const int64_t p = axis.degree();
     const int64_t lower = p + lead + group_at(groups, p + lead) + (axis.periodic() ? 0 : 1);
@@ -312,7 +316,7 @@ std::vector<double> Elevation::knots() const {
 }
 
 LayerTable Elevation::rows(int64_t first, int64_t end) const {
-    constexpr int64_t part = 8192; // is made without a look at the watch
+    constexpr int64_t part = 8192; // rows between two counts of work
     LayerTable table;
     table.reserve(end - first, axis_.degree() + 2);
     for (int64_t next = std::min(first + part, end); first < end;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Degree elevation as a table: H. Prautzsch, "Degree elevation of B-spline curves", Computer Aided Geometric
-// Design 1 (1984).
+// Degree elevation by one as a table of coefficients: H. Prautzsch, "Degree elevation of B-spline curves",
+// Computer Aided Geometric Design 1 (1984).
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -11,19 +11,19 @@
 
 namespace nrb::refine {
 
-// An axis of one degree more, and the rows that give its control points from the old ones.
+// An axis with its degree raised by one, and the rows that give its control points from the old ones.
 //
-// Every knot occurs once more, except that on axes that are not periodic the first and last knots beyond the
-// domain are left out where degree + 2 remain. Control point j is the mean, over the degree + 1 knots that
-// belong to it, of the old polar form at the others (Ramshaw 1989). These are knots of a refinement of the
-// old ones, so that every factor lies in [0, 1]: an entry is accurate to about 4 d eps relative to itself,
-// d <= (degree + 1) / 2 + 1 the number of knots that the refinement adds among its arguments, and where the
-// knots leave a control point as it was its row is a copy. Throws Status::periodic_knots if the copies of
-// knots on a periodic axis are not as often equal as the knots, not_representable. Precondition: degree <
-// max_degree. Cost: O(degree^3) for each control point, O(degree) with simple knots up to degree 3.
+// Every knot gets one more copy. On an axis that is not periodic, the outermost knots are omitted so that
+// degree + 2 knots remain from each end of the domain outwards. Control point j is the mean, over the degree
+// + 1 knots that belong to it, of the old polar form at the other knots (Ramshaw 1989). These are knots of a
+// refinement of the old vector, so every factor lies in [0, 1]. An entry has a relative error of about 4 d
+// eps, where d <= (degree + 1) / 2 + 1 is the number of its arguments that the refinement adds. Where the
+// knots leave a control point unchanged, its row is a copy. Throws Status::periodic_knots if knots of a
+// periodic axis and their copies have different multiplicities, not_representable. Precondition: degree <
+// max_degree. Cost: O(degree^3) for each control point; O(degree) for simple knots up to degree 3.
 class Elevation {
 public:
-    // A knot of the old vector: its first index, and how often it occurs there.
+    // A distinct old knot: the index of its first copy, and its multiplicity.
     struct Group {
         double knot;
         int64_t first;
@@ -34,22 +34,22 @@ public:
     explicit Elevation(const KnotVector &axis);
 
     [[nodiscard]] std::vector<double> knots() const;
-    // All layers; of a periodic axis those of one period, over the endless sequence of old layers, in which
-    // layer i is stored layer i modulo axis.distinct_layers().
+    // The rows of all layers; on a periodic axis those of one period. There the old layers form an endless
+    // sequence, in which layer i is stored layer i modulo axis.distinct_layers().
     [[nodiscard]] int64_t rows() const noexcept { return rows_; }
     [[nodiscard]] LayerTable rows(int64_t first, int64_t end) const;
 
 private:
-    // On a periodic axis also the knots of the periods before and after.
+    // The old knots; on a periodic axis also knots of the periods before and after.
     [[nodiscard]] std::span<const double> old_knots() const noexcept {
         return axis_.periodic() ? std::span<const double>(extended_) : axis_.knots();
     }
 
     const KnotVector &axis_;
-    int64_t lead_; // extended knots before the stored ones
+    int64_t lead_; // knots before the stored ones
     std::vector<double> extended_;
     std::vector<Group> groups_;
-    int64_t first_; // raised knot, the first that is kept
+    int64_t first_; // index of the first raised knot kept
     int64_t end_;
     int64_t rows_;
 };

@@ -34,7 +34,7 @@ void add_record(const Spline &net, int64_t layer, std::vector<double> &records) 
     records.insert(records.end(), first, first + net.dim());
 }
 
-// The derivative that a Bezier piece has along the leg from a layer to the next.
+// Appends the derivative of a Bezier piece along the leg from a layer to the next one.
 void add_slope(const Spline &net, int64_t layer, double h, std::vector<double> &slopes) {
     const int degree = net.axis(0).degree(), dim = net.dim();
     for (int64_t at = layer * dim; at < (layer + 1) * dim; ++at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and derivatives of a C^1 piecewise cubic: the data that it was made of.
+// Hermite data of a C^1 piecewise cubic: its points and derivatives at the breaks.
 #pragma once
 
 #include "spline/spline.h"
@@ -8,16 +8,17 @@
 
 namespace nrb::refine {
 
-// Packed records of dim values at the breaks, which are the ends of the non-empty spans.
+// Packed records of dim values for each break, that is, for each end of a non-empty span.
 struct HermiteData {
     std::vector<double> params;
     std::vector<double> points;
     std::vector<double> tangents;
 };
 
-// Throws Status::rational, degree above 3, and continuity if knots inside the domain allow a kink.
-// Precondition: a curve. Points lose no more than Bezier points do; tangents lose 2 p of that and 1.5 eps of
-// themselves, over the longer one of the two spans. Cost: linear in the number of spans.
+// The Hermite data of a curve. Points are as accurate as Bezier points. Tangents are taken on the longer one
+// of the two adjacent spans; they lose 2 p times that error divided by its length, and 1.5 eps of themselves.
+// Throws Status::rational, degree (above 3), and continuity if knots inside the domain allow a kink.
+// Precondition: a curve. Cost: linear in the number of spans.
 HermiteData hermite_data(const SplinePtr &curve);
 
 } // namespace nrb::refine

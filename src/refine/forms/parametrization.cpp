@@ -26,8 +26,8 @@ void check_distinct(std::span<const double> before, std::span<const double> afte
 
 namespace {
 
-// The affine map of one interval to another. It starts from the nearer end, so that both ends are exact and
-// small distances from an end stay accurate.
+// The affine map of one interval to another. It is computed from the nearer end, so that both ends are exact
+// and small distances from an end stay accurate.
 class AffineMap {
 public:
     AffineMap(Interval from, Interval to) noexcept

@@ -24,8 +24,8 @@ PieceOrder order_of(const PowerForm &form) {
     return PieceOrder({axes.data(), form.degrees.size()});
 }
 
-// h^k as fraction * 2^exponent: a power of a short or long span would leave the range of doubles before the
-// coefficients do.
+// h^k as fraction * 2^exponent. The power of a short or long span may leave the range of doubles although the
+// coefficients do not.
 struct ScaledPower {
     double fraction;
     int exponent;
@@ -40,7 +40,7 @@ ScaledPower scaled_power(double h, int k) noexcept {
     return {fraction, k * exponent};
 }
 
-// Layers of `inner` values.
+// In place: forward differences, and below their inverse, of degree + 1 layers of `inner` values each.
 void differences(double *layers, int degree, int64_t inner) noexcept {
     for (int r = 1; r <= degree; ++r) {
         for (int64_t i = (degree + 1) * inner; i-- > r * inner;) {
@@ -81,7 +81,7 @@ void power_to_bezier(double *layers, int degree, int64_t inner, double h) noexce
     sums(layers, degree, inner);
 }
 
-// Applies one of the two above to every piece of a net along an axis.
+// Applies a change of basis, one of the two functions above, to every piece of a net along one axis.
 template <class Change>
 void along(std::vector<double> &net, const AxisView &view, int degree, const std::vector<double> &breaks,
            Change change) {
@@ -105,7 +105,7 @@ void along_all(std::vector<double> &net, const PowerForm &form, Change change) {
     }
 }
 
-// A polynomial spline of the records.
+// The polynomial spline of the homogeneous records; a polynomial spline is returned as it is.
 SplinePtr of_records(const SplinePtr &spline) {
     if (!spline->rational()) {
         return spline;
@@ -145,7 +145,7 @@ SplinePtr from_power(PowerForm form, bool rational) {
     order_of(form).put_together(form.width, form.coefficients.data(), net.data());
     const bool given = all_finite(net);
     along_all(net, form, power_to_bezier);
-    if (given) { // otherwise make_spline() names the value that is not finite
+    if (given) { // else make_spline() names the value that is not finite
         require_representable(net, "points");
     }
     Spline::Axes axes;

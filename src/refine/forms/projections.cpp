@@ -11,7 +11,7 @@ namespace nrb::refine {
 
 namespace {
 
-// A vector times a power of two, so that its largest component is near 1 and products stay in range.
+// A vector scaled by a power of two that brings its largest component near 1, so that products stay in range.
 std::vector<double> near_one(const double *x, int dim, const char *name) {
     double largest = 0;
     for (int c = 0; c < dim; ++c) {
@@ -29,10 +29,10 @@ std::vector<double> near_one(const double *x, int dim, const char *name) {
 
 struct Product {
     double value;
-    double size; // the same sum in magnitudes
+    double size; // the sum of the magnitudes of the terms
 };
 
-// a . (x - y); y may be null.
+// a . (x - y); a null y stands for 0.
 Product product(const std::vector<double> &a, const double *x, const double *y) noexcept {
     Product sum{0, 0};
     for (size_t c = 0; c < a.size(); ++c) {
@@ -42,12 +42,12 @@ Product product(const std::vector<double> &a, const double *x, const double *y) 
     return sum;
 }
 
-// Whether a sum is no more than its rounding.
+// Whether a sum cannot be distinguished from 0: it is not larger than the bound of its rounding error.
 bool vanishes(const Product &sum, size_t terms) noexcept {
     return !(std::abs(sum.value) > static_cast<double>(terms) * eps * sum.size);
 }
 
-// x - factor d (n . (x - point)) / (n . d)
+// The affine map x -> x - factor d (n . (x - point)) / (n . d), applied to a spline.
 SplinePtr shear(const Spline &spline, const double *point, const std::vector<double> &n,
                 const std::vector<double> &d, double factor) {
     const size_t dim = n.size();
@@ -81,7 +81,8 @@ SplinePtr project_to_plane(const Spline &spline, const double *point, const doub
                  1);
 }
 
-// eye + (x - eye) h / (n . (x - eye)), h = n . (point - eye): the last row is the weight n . (x - eye).
+// The perspective projection x -> eye + (x - eye) h / (n . (x - eye)) with h = n . (point - eye). The last
+// row of its matrix gives the weight n . (x - eye).
 SplinePtr project_from(const Spline &spline, const double *eye, const double *point, const double *normal) {
     const std::vector<double> n = near_one(normal, spline.dim(), "normal");
     const size_t dim = n.size(), width = dim + 1;

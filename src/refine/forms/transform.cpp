@@ -24,7 +24,7 @@ void check_representable(double value, int64_t point, int64_t component) {
     }
 }
 
-// A homogeneous record keeps its weight, with which the translation is multiplied.
+// The weight of a homogeneous record stays; the translation is multiplied by it.
 std::vector<double> affine_image(const Spline &spline, const MatrixView &matrix, const double *translation) {
     const bool homogeneous = spline.form() == Form::homogeneous;
     const int64_t width = matrix.rows + (homogeneous ? 1 : 0);
@@ -60,7 +60,8 @@ std::vector<double> projective_image(const Spline &spline, const MatrixView &mat
     return image;
 }
 
-// The common sign of all weights, each the last value of its record; 0 if they have none.
+// The common sign of all weights, each of which is the last value of its record; 0 if they have no common
+// sign.
 int sign_of_weights(const std::vector<double> &records, int64_t width) noexcept {
     bool positive = true;
     bool negative = true;

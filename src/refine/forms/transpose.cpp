@@ -22,7 +22,8 @@ void check_permutation(int axes, const int32_t *permutation) {
     }
 }
 
-// The control points in their new order: counts and old distances by new axis; missing axes have one layer.
+// The control points in their new order: for each new axis, its count and the stride of its layers in the old
+// net. Missing axes have one layer.
 struct Order {
     std::array<int64_t, max_axes> counts;
     std::array<int64_t, max_axes> strides;
@@ -43,7 +44,7 @@ Order order_of(const Spline &spline, const int32_t *permutation) noexcept {
     return order;
 }
 
-// `width` values stand for one control point.
+// Each control point has `width` values.
 std::vector<double> reordered(std::span<const double> values, int64_t width, const Order &order) {
     std::vector<double> result(values.size());
     auto target = result.begin();

@@ -26,7 +26,8 @@ double dominant_weight(const Spline &spline) noexcept {
     return dominant;
 }
 
-// The stored values with control point i multiplied by factor(i); Cartesian points stay.
+// The spline with weight i, or every component of homogeneous record i, replaced by map(value, i). Cartesian
+// points stay.
 template <class Map>
 SplinePtr with_weights(const Spline &spline, Spline::Axes axes, Map &&map) {
     std::vector<double> points(spline.points().begin(), spline.points().end());
@@ -43,12 +44,12 @@ SplinePtr with_weights(const Spline &spline, Spline::Axes axes, Map &&map) {
     return make_result(std::move(axes), spline.dim(), spline.form(), std::move(points), std::move(weights));
 }
 
-// The rational linear map of [lower, upper] to itself with the derivative 1 / rho at the lower end.
+// The rational linear map of [lower, upper] to itself whose derivative at the lower end is 1 / rho.
 class Moebius {
 public:
     Moebius(Interval domain, double rho) noexcept : domain_(domain), rho_(rho) {}
 
-    // Whether t lies on the side of the pole on which the domain lies.
+    // Whether t lies on the same side of the pole as the domain.
     [[nodiscard]] bool reaches(double t) const noexcept { return denominator(t) > 0; }
     [[nodiscard]] double operator()(double t) const noexcept {
         const double after = t - domain_.lower, ahead = rho_ * (domain_.upper - t);
@@ -56,7 +57,8 @@ public:
         return after < ahead ? domain_.lower + length * (after / denominator(t))
                              : domain_.upper - length * (ahead / denominator(t));
     }
-    // 1 at the lower end, rho at the upper one.
+    // The factor of the weights that belongs to a knot t: 1 at the lower end of the domain, rho at the upper
+    // one.
     [[nodiscard]] double factor(double t) const noexcept {
         return rho_ * ((domain_.upper - domain_.lower) / denominator(t));
     }
@@ -108,7 +110,7 @@ void check_moebius(const KnotVector &axis, int k, double ratio) {
     }
 }
 
-// The layer of weights at an end of the domain.
+// The weights of the spline at an end of the domain of an axis, for all positions across the axis.
 std::vector<double> end_weights(const Spline &spline, int axis, bool upper) {
     const KnotVector &knots = spline.axis(axis);
     const AxisView view = axis_view(spline, axis, 1);
@@ -130,7 +132,7 @@ std::vector<double> end_weights(const Spline &spline, int axis, bool upper) {
     return layer;
 }
 
-// The factor for every weight of the layer at the upper end.
+// The factor by which every weight at the upper end would become the one at the lower end.
 double common_ratio(const std::vector<double> &lower, const std::vector<double> &upper, int axis) {
     constexpr double rounding = 8 * eps;
     double ratio = 0;

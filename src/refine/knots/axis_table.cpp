@@ -12,8 +12,8 @@ namespace nrb::refine {
 
 LayerTable rows_of(const Refinement &refinement, int64_t first, int64_t end) {
     constexpr int64_t rows_between_counts = 256;
-    constexpr int64_t most_alike = 8192;    // are made without a look at the watch
-    constexpr int64_t many = row_lanes / 2; // from this many on it pays that they are alike
+    constexpr int64_t most_alike = 8192;    // made without counting work between
+    constexpr int64_t many = row_lanes / 2; // from this many alike rows on it pays
     const int degree = refinement.width() - 1;
     LayerTable table;
     table.reserve(end - first, refinement.width(), row_lanes);
@@ -81,7 +81,7 @@ SplinePtr with_axis(const Spline &spline, int k, const AxisTable &made) {
 }
 
 SplinePtr with_axis(const Spline &spline, int k, KnotVectorPtr axis, int64_t unit, const RowSource &rows) {
-    constexpr int64_t few = 512; // rows whose table stays in the cache
+    constexpr int64_t few = 512; // rows whose table fits into the cache
     const int64_t count = axis->count();
     LayerMaker maker(spline, k, count);
     const int64_t part = maker.in_parts() ? std::max(few / unit, int64_t{1}) * unit : count;

@@ -3,7 +3,7 @@
 
 namespace nrb::refine {
 
-// Lanes that never get a row are divided too, so they need sides that differ.
+// Lanes without a row are computed too. Their initial knots keep the divisors away from 0.
 void BatchedBlossoms::open(Batch &batch, int steps) {
     const int64_t side = steps * batch_rows;
     batch.knots.assign(static_cast<size_t>(3 * side), 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rows of one polar form each, collected until many rows with equally many steps can be made side by side.
+// Rows of one polar form each, collected until many rows with the same number of steps can be computed side
+// by side.
 #pragma once
 
 #include "refine/knots/blossom_rows.h"
@@ -13,11 +14,11 @@ class BatchedBlossoms {
 public:
     static constexpr int64_t batch_rows = int64_t{8} * row_lanes;
 
-    // For up to `steps` steps.
+    // `steps`: the largest number of steps of a row.
     explicit BatchedBlossoms(int steps) : batches_(static_cast<size_t>(steps) + 1) {}
 
-    // Computes the steps + 1 coefficients of a row with `steps` > 0 arguments, see append_argument(). They
-    // stand at `row` when finish() returns. The knots are read at once.
+    // Adds a row of `steps` > 0 arguments. Its steps + 1 coefficients (see append_argument()) are at `row`
+    // when finish() returns. The knots are copied at once.
     void add(int steps, const double *left, const double *right, const double *arguments, double *row) {
         Batch &batch = batches_[static_cast<size_t>(steps)];
         if (batch.knots.empty()) {
@@ -49,7 +50,7 @@ private:
     struct Batch {
         int64_t size = 0;
         double *rows[batch_rows] = {};
-        std::vector<double> knots; // [left sides from the farthest on, right sides, arguments][batch_rows]
+        std::vector<double> knots; // [left, farthest first; right; arguments][batch_rows]
     };
 
     template <int kSteps>

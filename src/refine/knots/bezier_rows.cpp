@@ -31,7 +31,8 @@ public:
 
 private:
     [[nodiscard]] int64_t span(int64_t e) const noexcept { return spans_[static_cast<size_t>(e)]; }
-    // Knots equal to the start of span e, and to its end.
+    // The number of knots equal to the start of span e; after() counts those equal to its end. At most degree
+    // + 1 are counted.
     [[nodiscard]] int64_t before(int64_t e) const noexcept {
         const double *at = knots_.data() + span(e);
         int64_t copies = 1;
@@ -52,7 +53,7 @@ private:
         return copies;
     }
 
-    // How many spans from e on, inner ones, have equally many knots at either end.
+    // The number of consecutive inner spans from e on that have equally many knots at both ends.
     [[nodiscard]] int64_t run(int64_t e, int64_t limit) const noexcept {
         if (e == first_) {
             return 0;
@@ -66,8 +67,8 @@ private:
         return end - e;
     }
 
-    // The terms of the points of span e that are not the last one of the span before, if that is made too;
-    // returns their number.
+    // The terms for the points of span e, without the first one if it is shared with the span before. Returns
+    // their number.
     int terms(int64_t e, BlossomTerm *term) const noexcept {
         const double *start = knots_.data() + span(e), *end = start + 1;
         const auto starts = static_cast<int>(before(e)), ends = static_cast<int>(after(e));
@@ -79,8 +80,8 @@ private:
         }
         return degree_ + 1 - first;
     }
-    // Whether span e begins with the last point of the span before, which is made too; it does not if the
-    // spline is cut there.
+    // Whether the first point of span e is the last one of the span before, which has been made too. It is
+    // not at a knot of multiplicity degree + 1, where the spline may jump.
     [[nodiscard]] bool shared(int64_t e) const noexcept {
         return e > first_ && span(e) - span(e - 1) <= degree_;
     }
@@ -109,7 +110,7 @@ private:
                                   static_cast<size_t>(pitch)};
             pitch += pattern[first + i].size;
         }
-        if (first > 0) { // the last point of the span before
+        if (first > 0) { // shared with the span before
             const LayerTable::Row &last = pattern[degree_];
             pattern[0] = {last.first - stride, last.size, last.offset - static_cast<size_t>(pitch)};
         }
@@ -130,7 +131,7 @@ private:
     int degree_;
     std::span<const double> knots_;
     std::span<const int64_t> spans_;
-    int64_t first_ = 0; // the span that is made
+    int64_t first_ = 0; // the first span that is made
     LayerTable table_;
 };
 

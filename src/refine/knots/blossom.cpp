@@ -13,7 +13,7 @@ namespace {
 
 using Rows = std::array<BlossomRow, max_axes>;
 
-// Whether a knot was among the arguments that are not used up; if so, it is now.
+// Removes a knot from the arguments in `values`, if it is among them. Returns whether it was.
 bool take(double knot, KnotArguments &arguments) noexcept {
     double *const values = arguments.values.data(), *const end = values + arguments.others;
     double *const found = std::find(values, end, knot);
@@ -66,14 +66,15 @@ Rows rows_at(const Spline &spline, const int64_t *spans, std::span<const double>
     return rows;
 }
 
-// Component c of control point i, multiplied by its weight where it has one.
+// Component c of homogeneous record i, unscaled. A polynomial spline has no weights.
 double record_value(const Spline &spline, int64_t i, int c) noexcept {
     const double stored =
         c < spline.stored_width() ? spline.points()[static_cast<size_t>(i * spline.stored_width() + c)] : 1;
     return spline.form() == Form::rational ? spline.weight(i) * stored : stored;
 }
 
-// The sum over the axes from k on, of the points that begin at `base`: the last axis first.
+// The contraction of axes k, k + 1, ... with their rows, of the points whose index on the axes before is
+// `base`. The last axis is contracted first.
 double sum(const Spline &spline, const Rows &rows, int k, int64_t base, int c) noexcept {
     if (k == spline.axes()) {
         return record_value(spline, base, c);

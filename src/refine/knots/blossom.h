@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of polar forms.
+// Values of polar forms (blossoms) of polynomial pieces.
 #pragma once
 
 #include "refine/algebra/common_knots.h"
@@ -10,13 +10,14 @@
 
 namespace nrb::refine {
 
-// The polar form of the piece on a non-empty span of an axis at degree arguments, as coefficients of its
-// control points. Arguments that are the knots next to the span, without a gap, fix as many parameters of the
-// polar form; the others follow by de Boor's algorithm with the knots around them. So control points come out
-// bit for bit, and factors lie in [0, 1] for arguments between these knots.
+// The polar form of the piece on a non-empty span of an axis, at `degree` arguments, as coefficients of its
+// control points. Arguments equal to the knots next to the span, without a gap, need no arithmetic. Each of
+// the others is one step of de Boor's algorithm over the knots around them. So control points are reproduced
+// bit for bit, and factors lie in [0, 1] if the other arguments lie between these knots.
 BlossomRow blossom_row(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept;
 
-// Arguments of a polar form: the knots begin, ..., end - 1 next to the span, without a gap, and `others`, which are not.
+// Arguments of a polar form, split in two: the knots begin, ..., end - 1 next to the span, without a gap, and
+// the first `others` of `values`, which are not among these.
 struct KnotArguments {
     int64_t begin, end;
     int others;
@@ -24,10 +25,10 @@ struct KnotArguments {
 };
 KnotArguments split_arguments(const KnotVector &axis, int64_t span, std::span<const double> values) noexcept;
 
-// The polar form of the piece on the non-empty spans `spans`, one for each axis, at degree arguments for each
-// axis, one axis after the other: `width()` components of an unscaled homogeneous record, (w x, ..., w) or
-// (x, ...). L. Ramshaw, "Blossoms are polar forms", Computer Aided Geometric Design 6 (1989). Cost: degree^2
-// / 2 divisions for each axis, and the cost of a point.
+// The polar form of the piece on the non-empty spans spans[k] at degree arguments for each axis, one axis
+// after the other. Writes width() components of an unscaled homogeneous record: (w x, ..., w), or (x, ...) if
+// the spline is polynomial. L. Ramshaw, "Blossoms are polar forms", Computer Aided Geometric Design 6 (1989).
+// Cost: degree^2 / 2 divisions for each axis, and the cost of evaluating a point.
 void blossom(const Spline &spline, const int64_t *spans, std::span<const double> arguments, double *out);
 
 } // namespace nrb::refine

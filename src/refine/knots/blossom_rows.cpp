@@ -19,7 +19,7 @@ using Doubles = hn::CappedTag<double, row_lanes>;
 using Register = hn::Vec<Doubles>;
 inline constexpr int lanes = static_cast<int>(hn::MaxLanes(Doubles()));
 
-// Knots of rows that follow each other: next to each other,
+// How the knots of consecutive rows are loaded. Here the knots of all rows are adjacent in memory.
 struct Adjacent {
     int64_t first; // row
 
@@ -29,7 +29,7 @@ struct Adjacent {
     [[nodiscard]] HWY_INLINE Register argument(KnotLanes knots) const { return side(knots); }
 };
 
-// with knots of other rows between them,
+// The knots of consecutive rows are `stride` apart.
 struct Spread {
     int64_t first;
     int64_t stride;
@@ -44,18 +44,18 @@ struct Spread {
     [[nodiscard]] HWY_INLINE Register argument(KnotLanes knots) const { return side(knots); }
 };
 
-// or with the same sides.
+// All rows have the same knots at the sides; their arguments are adjacent.
 struct Between {
     [[nodiscard]] static HWY_INLINE Register side(KnotLanes knots) { return hn::Set(Doubles(), *knots); }
     [[nodiscard]] static HWY_INLINE Register argument(KnotLanes knots) { return hn::LoadU(Doubles(), knots); }
 };
 
 struct Halves {
-    Register kept;    // by the control point
-    Register carried; // to the next one
+    Register kept;    // for the same control point
+    Register carried; // for the next one
 };
 
-// As in divide_in_ratio(); see the comments there.
+// One step for one coefficient, as in divide_in_ratio(), which has the explanation.
 template <class Load>
 HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int step, int r, Register t,
                               Register value) {
@@ -69,7 +69,7 @@ HWY_INLINE Halves split_value(const BlossomTerm &term, const Load &load, int ste
     return {hn::IfThenElse(near, larger, smaller), hn::IfThenElse(near, smaller, larger)};
 }
 
-// The steps of append_argument() in registers.
+// The steps of append_argument(), unrolled so that all values stay in registers.
 template <int kStep, class Load>
 struct Steps {
     static HWY_INLINE void run(const BlossomTerm &term, const Load &load, Register *values) {
@@ -114,7 +114,7 @@ HWY_NOINLINE void run_steps(const BlossomTerm &term, const Load &load, Register 
     }
 }
 
-// Where rows begin.
+// Rows that begin at equal distances.
 struct EvenRows {
     double *rows;
     int64_t pitch;
@@ -200,7 +200,7 @@ HWY_INLINE void make_short_row(const BlossomTerm &term, const Load &load, const 
     }
 }
 
-// As many rows as there are lanes.
+// Computes as many rows as there are lanes.
 template <class Load, class Rows>
 HWY_INLINE void make_row(const BlossomTerm &term, const Load &load, const Rows &rows, int64_t first) {
     switch (term.steps) {
@@ -228,14 +228,14 @@ void make_single_rows(const BlossomTerm &term, int64_t count, double *const *row
 
 void make_rows_between(int steps, const double *left, const double *right, const double *arguments,
                        int64_t count, double *rows) {
-    BlossomTerm term; // of which the other arguments are not used
+    BlossomTerm term; // further arguments are not used
     term.steps = steps;
     term.target = 0;
     term.factor = 1;
     term.left = left;
     term.right = right;
     term.pitch = 1;
-    double last[lanes + max_basis]; // after the arguments there may be nothing to read
+    double last[lanes + max_basis]; // do not read beyond the arguments
     for (int64_t first = 0; first < count; first += lanes) {
         const double *from = arguments + first;
         if (first + lanes > count) {

@@ -9,7 +9,7 @@ namespace nrb::refine {
 
 namespace {
 
-// Steps of raise_degree() of basis/bspline.h with one argument, for all degrees up to that of an axis.
+// Steps of raise_degree() (basis/bspline.h) with one argument t, for all degrees d up to that of an axis.
 class Steps {
 public:
     Steps(const double *knots, int /* degree */, int64_t span, double t) noexcept
@@ -22,8 +22,8 @@ private:
     double t_;
 };
 
-// The same in twice the precision. Its divisions take most of the time: each is made once, those of an end of the span by itself not
-// at all.
+// The same in double-double arithmetic. Divisions take most of the time, so each quotient is computed only
+// once, and those that are 0 or 1 because t is a knot not at all.
 class PreciseSteps {
 public:
     PreciseSteps(const double *knots, int degree, int64_t span, double t) noexcept {
@@ -57,14 +57,15 @@ private:
         low_[at] = share.low;
     }
 
-    // Of the interval of each function; what is not used is not set.
+    // The quotient (t - left) / (right - left) for each degree and function; only those up to `degree` are
+    // set.
     double high_[most], low_[most];
 };
 
 template <class Number, class StepsOf>
 void extract(const double *knots, int degree, int64_t span, Number *matrix) noexcept {
     const StepsOf to_start(knots, degree, span, knots[span]), to_end(knots, degree, span, knots[span + 1]);
-    Number starts[max_basis] = {1}; // coefficients at `count` times the start of the span
+    Number starts[max_basis] = {1}; // the polar form at `count` times the start of the span
     for (int count = 0; count <= degree; ++count) {
         Number column[max_basis];
         std::copy_n(starts, count + 1, column);

@@ -11,7 +11,7 @@ namespace nrb::refine {
 
 namespace {
 
-// "knot", or its place in a list.
+// How messages refer to a knot: "knot", or "knots[index]" in a list.
 struct KnotName {
     explicit KnotName(int64_t index) noexcept : text{} {
         if (index < 0) {
@@ -38,7 +38,7 @@ void check_knot(const KnotVector &axis, int k, double knot, int64_t index) {
 
 namespace {
 
-// The end of a periodic domain is its start.
+// The end of a periodic domain is replaced by its start, which is the same knot.
 double first_copy(const KnotVector &axis, double knot) noexcept {
     return axis.periodic() && knot == axis.domain().upper ? axis.domain().lower : knot;
 }
@@ -52,7 +52,7 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
     }
 }
 
-// Names the first entry of the caller's list that is one too many.
+// Fails with the first entry of the caller's list that makes the knot occur too often.
 [[noreturn]] void fail_multiplicity(const KnotVector &axis, int k, std::span<const double> knots, double knot,
                                     int64_t present) {
     int64_t room = axis.degree() + 1 - present;
@@ -67,7 +67,8 @@ void check_multiplicity(const KnotVector &axis, int k, double knot, int64_t time
          axis.degree() + 1);
 }
 
-// Whether knots rise strictly inside the domain and equal no old knot of multiplicity degree + 1.
+// Whether the knots are strictly increasing inside the open domain, and no knot there has multiplicity degree
+// + 1. Then no knot becomes too frequent.
 bool rising_inside(const KnotVector &axis, std::span<const double> knots) noexcept {
     const auto [lower, upper] = axis.domain();
     if (knots.empty() || !(lower < knots.front() && knots.back() < upper) || axis.degree() == 0) {
@@ -87,7 +88,7 @@ bool rising_inside(const KnotVector &axis, std::span<const double> knots) noexce
 void check_multiplicities(const KnotVector &axis, int k, std::span<const double> knots,
                           const std::vector<double> &sorted) {
     const std::span<const double> old = axis.knots();
-    size_t at = 0; // the first old knot that is not below
+    size_t at = 0; // the first old knot >= knot
     for (size_t group = 0, after = 0; group < sorted.size(); group = after) {
         const double knot = sorted[group];
         while (after < sorted.size() && sorted[after] == knot) {
@@ -106,7 +107,7 @@ void check_multiplicities(const KnotVector &axis, int k, std::span<const double>
     }
 }
 
-// Counted from the nearer end, so that the parts are symmetric.
+// Division point i of a span, computed from the nearer end so that the division is symmetric.
 double division(double lower, double upper, int64_t i, int64_t parts) noexcept {
     const auto n = static_cast<double>(parts);
     return 2 * i <= parts ? lower + (upper - lower) * (static_cast<double>(i) / n)
@@ -128,7 +129,7 @@ SplinePtr insert_knot(const SplinePtr &spline, int axis, double knot, int64_t ti
 
 std::vector<double> checked_new_knots(const KnotVector &axis, int k, std::span<const double> knots) {
     std::vector<double> sorted(knots.begin(), knots.end());
-    if (rising_inside(axis, knots)) { // as in most lists
+    if (rising_inside(axis, knots)) { // which most lists are
         return sorted;
     }
     const auto [lower, upper] = axis.domain();

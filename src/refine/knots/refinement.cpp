@@ -9,7 +9,7 @@ namespace nrb::refine {
 
 namespace {
 
-constexpr int64_t work_of_a_knot = 16; // of the coarse ones, with the fine ones up to the next
+constexpr int64_t work_of_a_knot = 16; // for each coarse knot and the fine ones up to the next
 
 size_t at(int64_t i) noexcept {
     return static_cast<size_t>(i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Knot refinement as rows of coefficients: E. Cohen, T. Lyche, R. Riesenfeld, "Discrete B-splines and
-// subdivision techniques" (1980); T. Lyche, K. Morken, "Making the Oslo algorithm more efficient" (1986).
+// Knot refinement as rows of coefficients, by the Oslo algorithm: E. Cohen, T. Lyche, R. Riesenfeld,
+// "Discrete B-splines and subdivision techniques" (1980); T. Lyche, K. Morken, "Making the Oslo algorithm
+// more efficient" (1986).
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,14 @@
 namespace nrb::refine {
 
 // New control point j over the knots `fine` is the polar form of the spline over `coarse` at the arguments
-// fine[j + 1], ..., fine[j + p]. Arguments that are old knots fix as many parameters of the polar form. The
-// others all lie between the nearest old knots around those, so that each of them is one step of de Boor's
-// algorithm with factors in [0, 1]. A row depends neither on how the others were found nor on their number.
+// fine[j + 1], ..., fine[j + p]. Arguments that are old knots need no arithmetic. The others lie between the
+// old knots next to these, so each of them is one step of de Boor's algorithm with factors in [0, 1]. The
+// coefficients of a row depend neither on how other rows are computed nor on their number.
 class Refinement {
 public:
-    // The data of a row: de Boor's steps with the arguments that are not old knots, over the old knots around
-    // those that are; see append_argument(). The coefficients belong to old layers first, ..., first + steps.
+    // The data of a row: one step of de Boor's algorithm for each argument that is not an old knot, over the
+    // old knots around the arguments that are; see append_argument(). The coefficients belong to old layers
+    // first, ..., first + steps.
     struct Blossom {
         int64_t first;
         int steps;
@@ -25,23 +27,23 @@ public:
         const double *arguments;
     };
 
-    // Both vectors must outlive this. Preconditions: they are sorted; fine contains every knot of coarse at
-    // least as often, and at most degree + 1 times; knots that it contains more often lie in [coarse[p],
-    // coarse[count]].
+    // Both vectors must outlive this. Preconditions: both are sorted; `fine` contains every knot of `coarse`
+    // at least as often, and at most degree + 1 times; the knots that it contains more often lie in
+    // [coarse[p], coarse[count]].
     Refinement(int degree, std::span<const double> coarse, std::span<const double> fine);
 
     [[nodiscard]] int width() const noexcept { return degree_ + 1; }
     [[nodiscard]] int64_t rows() const noexcept { return std::ssize(fine_) - degree_ - 1; }
-    // Whether new layer j equals the one before: all arguments of both are the same knot, at which the spline
-    // is not cut.
+    // Whether new layer j equals the layer before it: all arguments of both are the same knot, and the spline
+    // does not jump there.
     [[nodiscard]] bool repeats(int64_t j) const noexcept {
         const auto i = static_cast<size_t>(j), after = i + static_cast<size_t>(degree_);
         return fine_[i] == fine_[after] && old_last_[i + 1] == old_last_[i] &&
                old_first_[after] == old_first_[after + 1];
     }
-    // With n arguments that are not old knots new layer j has n + 1 coefficients, each accurate to 3 n eps
-    // relative to itself; with n = 0 it is an old layer. If only some arguments of a row are new, they are
-    // copied to `room`, which holds up to `degree` of them.
+    // The data of new layer j. With n arguments that are not old knots it has n + 1 coefficients, each with a
+    // relative error of at most 3 n eps; with n = 0 it is an old layer. If only some of the arguments are
+    // new, they are copied to `room`, which holds up to `degree` of them.
     Blossom blossom(int64_t j, double *room) const noexcept {
         const double *arguments = fine_.data() + j + 1;
         const int64_t shared = old_last_[static_cast<size_t>(j + 1)];
@@ -49,7 +51,7 @@ public:
         const double *left = coarse_.data() + shared;
         const double *right = coarse_.data() + shared_end;
         const auto steps = static_cast<int>(degree_ - (shared_end - shared));
-        if (steps == degree_) { // as for most rows of fine refinements
+        if (steps == degree_) { // most rows of fine refinements
             return {shared - 1 - steps, steps, left, right, arguments};
         }
         const double *old = left;
@@ -63,8 +65,8 @@ public:
         return {shared - 1 - steps, steps, left, right, room};
     }
 
-    // How many of the new layers j, ..., end - 1 have no old knot among their arguments, all of which lie
-    // between the same old knots. Precondition: layer j has no old knot among them.
+    // How many consecutive new layers from j on, up to end - 1, have no old knot among their arguments and
+    // have all of these between the same two old knots. Precondition: this is true of layer j.
     int64_t alike(int64_t j, int64_t end) const noexcept {
         const size_t reach = static_cast<size_t>(degree_) + 1;
         auto after = static_cast<size_t>(j) + reach;
@@ -79,7 +81,8 @@ private:
     int degree_;
     std::span<const double> coarse_;
     std::span<const double> fine_;
-    // How many of the first i fine knots are old, if among equal knots the old ones come first, or last.
+    // The number of old knots among the first i fine knots, if old knots precede (old_first_) or follow
+    // (old_last_) the new knots equal to them.
     std::unique_ptr<int64_t[]> old_first_;
     std::unique_ptr<int64_t[]> old_last_;
 };

@@ -26,11 +26,12 @@ void add_continued_row(const KnotVector &axis, int64_t shared_first, int64_t sha
 
 namespace {
 
-// Control points s of a piece of degree p over [b, e] of which the first order + 1 are known: those of the
-// polynomial of degree `order`, whose higher differences vanish. By Lagrange's formula tau_s = sum
-// (-1)^(order-j) C(s, j) C(s - j - 1, order - j) tau_j.
+// Adds the row of control point s > order of a piece of degree p over [b, e], whose control points tau_0,
+// ..., tau_order are known (s is the number of arguments that are e). The piece is a polynomial of degree
+// `order`, so the higher differences of the tau_s vanish. By Lagrange's formula tau_s = sum_j (-1)^(order-j)
+// C(s, j) C(s - j - 1, order - j) tau_j.
 void add_taylor_row(const LayerTable &known, int order, int s, int64_t count, LayerTable &table) {
-    std::vector<double> sum(static_cast<size_t>(order) + 1, 0.0); // over layers count - 1 - order, ...
+    std::vector<double> sum(static_cast<size_t>(order) + 1, 0.0); // from layer count - 1 - order on
     for (int j = 0; j <= order; ++j) {
         const double factor =
             ((order - j) % 2 == 0 ? 1 : -1) * binomial(s, j) * binomial(s - j - 1, order - j);
@@ -69,13 +70,13 @@ void check_plain(const KnotVector &knots, int axis) {
     }
 }
 
-// The status for a result that points and weights cannot hold.
+// Advice in messages about results that points with weights cannot represent.
 constexpr const char *flag_advice = "NURBS_HOMOGENEOUS keeps it as homogeneous points";
 constexpr const char *detour_advice =
     "nurbs_from_homogeneous() of the extended nurbs_to_homogeneous() has it as homogeneous points";
 
-// Refuses weights that points with weights cannot have. Indices are those of the layers in the opposite order
-// if they will be `reversed`.
+// Refuses weights that Form::rational does not allow. With `reversed`, the index in messages is that after
+// the layers have been put into the opposite order.
 void check_weights(const ContinuedNet &made, const AxisView &view, bool reversed, const char *advice) {
     const std::vector<double> &weights = made.net.weights;
     const auto negative = std::find_if(weights.begin(), weights.end(), [](double w) { return w < 0; });
@@ -94,7 +95,7 @@ void check_weights(const ContinuedNet &made, const AxisView &view, bool reversed
          static_cast<long long>(index), advice);
 }
 
-// The same as with_axis() for continued polynomials, whose weights may become negative.
+// As with_axis(), for continued polynomials, whose weights may become negative.
 SplinePtr continued(const Spline &spline, int k, const AxisTable &made, bool reversed, const char *advice) {
     ContinuedNet result = continued_along(spline, k, made.table);
     AxisView view = axis_view(spline, k, 1);
@@ -104,9 +105,10 @@ SplinePtr continued(const Spline &spline, int k, const AxisTable &made, bool rev
                        std::move(result.net.points), std::move(result.net.weights));
 }
 
-// How many control points have knots on both sides of the old end among their arguments. They are up to (1 +
-// 2 amount / last span)^order times as large as the others, and so is the rounding of an evaluation that
-// meets them, on the old domain too. Beyond 2^8 there are none, and the old end keeps multiplicity degree.
+// How many control points, `order` or 0, may have knots on both sides of the old end among their arguments.
+// They are up to G = (1 + 2 amount / last span)^order times as large as the others, and so is the rounding
+// error of evaluations that use them, on the old domain too. If G > 2^8 there are none, and the old end gets
+// multiplicity `degree`.
 int across(const KnotVector &axis, double end, int order) {
     constexpr double limit = 256;
     const int64_t n = axis.count();
@@ -125,14 +127,14 @@ AxisTable extended_axis(const KnotVector &axis, double end, int order) {
     for (int64_t j = 0; j < n - shared; ++j) {
         table.add_copy(j);
     }
-    for (int s = 1; s <= shared; ++s) { // interior knots, the old end p - shared times, the new one s times
+    for (int s = 1; s <= shared; ++s) { // interior knots, the old end p - shared times, the new end s times
         add_continued_row(axis, n - shared + s, n + p - shared, arguments.first(static_cast<size_t>(s)),
                           table);
     }
     for (int s = shared + 1; s <= order; ++s) { // of the piece over [old end, new end]
         add_continued_row(axis, n, n + p - s, arguments.first(static_cast<size_t>(s)), table);
     }
-    LayerTable known; // of that piece
+    LayerTable known; // tau_s
     for (int s = 0; s <= order && order < p; ++s) {
         add_continued_row(axis, n, n + p - s, arguments.first(static_cast<size_t>(s)), known);
     }
@@ -167,7 +169,7 @@ SplinePtr extend(const SplinePtr &spline, int axis, bool upper, double amount, i
 
 namespace {
 
-// The upper end unclamped: control points after it have the knots `beyond` among their arguments.
+// Unclamps the upper end: the last control points get knots of `beyond` as arguments.
 AxisTable unclamped_upper(const KnotVector &axis, std::span<const double> beyond) {
     const int p = axis.degree();
     const int64_t n = axis.count();
@@ -195,7 +197,7 @@ SplinePtr unclamp_lower(const SplinePtr &spline, int axis, std::span<const doubl
     return reverse(*unclamp_upper(reverse(*spline, axis, false), axis, negated(below), true), axis, false);
 }
 
-// The knots of the domain, its ends once, and `degree` more on either side that repeat them.
+// The knots of the domain, its ends once, and on either side `degree` copies of them a period away.
 std::vector<double> repeated_knots(const KnotVector &axis) {
     const auto [lower, upper] = axis.domain();
     const auto p = static_cast<size_t>(axis.degree());
@@ -209,7 +211,7 @@ std::vector<double> repeated_knots(const KnotVector &axis) {
     return knots;
 }
 
-// Copies a period away are as distinct as the knots that they are copies of.
+// Checks that copies a period away are distinct if their originals are.
 void check_copies(std::span<const double> knots, size_t first, size_t end, size_t step, bool above,
                   int axis) {
     for (size_t i = first; i < end; ++i) {

@@ -10,7 +10,7 @@ namespace nrb::refine {
 
 namespace {
 
-// A row of a table over values that lie `step` apart.
+// The terms of a row: its coefficients, and values that lie `step` apart.
 struct Terms {
     const double *coefficients;
     int size;
@@ -25,15 +25,16 @@ struct Terms {
         }
         return result;
     }
-    [[nodiscard]] double centre() const noexcept { // value of the largest coefficient
+    [[nodiscard]] double centre() const noexcept { // value with the largest coefficient
         const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
         return value(
             static_cast<int>(std::max_element(coefficients, coefficients + size, less) - coefficients));
     }
 };
 
-// The sum of the terms; `plain` is the sum of the terms as they stand. Smaller magnitudes have smaller
-// rounding.
+// The sum of the terms, as the value with the largest coefficient plus differences from it, if the magnitudes
+// of these terms are smaller, and thus their rounding errors. Otherwise `plain`, which is the sum as it
+// stands.
 double centred_sum(const Terms &terms, double plain) noexcept {
     const double centre = terms.centre();
     double rest = 0, size = 0, plain_size = 0;
@@ -46,7 +47,7 @@ double centred_sum(const Terms &terms, double plain) noexcept {
     return size <= plain_size ? centre + rest : plain;
 }
 
-// The result of a table on the homogeneous records of a spline.
+// A table applied to the homogeneous records of a spline.
 class ContinuedRecords {
 public:
     ContinuedRecords(const Spline &spline, int axis, const LayerTable &table)
@@ -63,7 +64,7 @@ public:
 
     [[nodiscard]] std::vector<double> take() { return std::move(sums_); }
 
-    // As points and weights.
+    // The result as Cartesian points and weights.
     [[nodiscard]] ContinuedNet projected() {
         const auto dim = static_cast<size_t>(dim_), records = sums_.size() / (dim + 1);
         ContinuedNet made{{std::vector<double>(records * dim), std::vector<double>(records)}, -1};
@@ -111,7 +112,7 @@ private:
     }
 
     [[nodiscard]] double *record(int64_t i) noexcept { return sums_.data() + i * (dim_ + 1); }
-    // The terms of a row over values of records of `width`.
+    // The terms of a row over one component of records of `width` values.
     [[nodiscard]] Terms terms(const LayerTable::Row &row, const double *first, int width) const noexcept {
         return {table_.coefficients(row), row.size, first, view_.inner * width};
     }
@@ -120,7 +121,8 @@ private:
         std::transform(record, record + dim_, point, [w = record[dim_]](double x) { return x / w; });
     }
 
-    // Where the record consists of zeros, so that any place will do; otherwise false.
+    // For a weight of 0: combines the Cartesian points. Returns whether the record is all zeros, so that any
+    // position is right; otherwise it is a point at infinity.
     bool combine_places(const LayerTable::Row &row, int64_t from, const double *record,
                         double *point) const noexcept {
         for (int c = 0; c < dim_; ++c) {
@@ -131,7 +133,7 @@ private:
 
     const Spline &spline_;
     const LayerTable &table_;
-    AxisView view_; // of control points
+    AxisView view_; // in control points
     int dim_;
     std::vector<double> sums_;
 };

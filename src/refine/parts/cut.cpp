@@ -29,13 +29,14 @@ std::vector<double> saturated(int degree, std::span<const double> knots, std::sp
 
 namespace {
 
-// An axis cut at breaks: the source of its layers, and where the parts between the breaks begin among them.
+// An axis cut at breaks: the refined axis with its table, and the layer at which each part begins (the last
+// element is the end of the last part).
 struct CutAxis {
     AxisTable whole;
     std::vector<int64_t> bounds;
 };
 
-// A part begins at the layer that has the number of its first knot.
+// The bounds of the parts: a part begins at the layer whose index is that of the first copy of its break.
 std::vector<int64_t> part_bounds(const std::vector<double> &fine, std::span<const double> breaks) {
     std::vector<int64_t> bounds;
     bounds.reserve(breaks.size());
@@ -72,19 +73,19 @@ CutAxis cut_at(const KnotVector &axis, std::span<const double> breaks, AxisEnds 
     return {{part_axis(fine, p, first, end), rows_of(refinement, first, end)}, std::move(bounds)};
 }
 
-// The net of a spline whose axis was cut, before it is separated into parts.
+// The spline with its axis cut, not yet separated into parts.
 SplinePtr apply(const Spline &spline, int k, const CutAxis &cut) {
     return with_axis(spline, k, cut.whole);
 }
 
-// Layers of one axis that belong to a part.
+// The layers of one axis that belong to a part, and the number of all layers.
 struct Range {
     int64_t first;
     int64_t count;
     int64_t total;
 };
 
-// Copies the block of an array that belongs to one part on every axis.
+// Copies the block of an array that belongs to one part on each axis.
 std::vector<double> block(std::span<const double> values, const std::array<Range, max_axes> &ranges,
                           int64_t width) {
     const auto &[i, j, k] = ranges;
@@ -135,7 +136,7 @@ SplinePtr PartedSpline::part(int64_t index) const {
         return whole_;
     }
     std::array<Range, max_axes> ranges{};
-    ranges.fill({0, 1, 1}); // the last of the three axes are the ones that exist
+    ranges.fill({0, 1, 1}); // missing axes come first
     Spline::Axes axes = whole_->knot_vectors();
     for (int k = this->axes(); k-- > 0;) {
         const auto *bound = &bounds_[static_cast<size_t>(k)][static_cast<size_t>(index % parts(k))];

@@ -45,7 +45,7 @@ void check_spaces(std::span<const SplinePtr> parts) {
     }
 }
 
-// Axis k of all parts brought to the highest degree.
+// Raises all parts to the highest degree on axis k.
 void raise(std::vector<SplinePtr> &parts, int k) {
     int degree = 0;
     for (const SplinePtr &part : parts) {
@@ -56,8 +56,8 @@ void raise(std::vector<SplinePtr> &parts, int k) {
     }
 }
 
-// The parts in one form, of one degree on each axis, with the same knots on all but `axis`, clamped at inner
-// ends.
+// The parts in a common form and with common degrees, clamped at the ends that are to be joined. On all axes
+// but `axis` the knots must then be equal.
 std::vector<SplinePtr> prepared(std::span<const SplinePtr> given, int axis) {
     check_spaces(given);
     std::vector<SplinePtr> parts(given.begin(), given.end());
@@ -81,7 +81,7 @@ std::vector<SplinePtr> prepared(std::span<const SplinePtr> given, int axis) {
     return parts;
 }
 
-// The control points of a part.
+// The control points of a part, seen along the axis.
 struct Points {
     std::vector<double> points;
     std::vector<double> weights;
@@ -103,13 +103,14 @@ Points points_of(const Spline &part, int axis) {
             view.inner};
 }
 
-// The end of one part and the start of the next.
+// The end layer of one part and the first layer of the next.
 class Seam {
 public:
     Seam(const Points &before, const Points &after, int dim, Form form)
         : before_(before), after_(after), dim_(static_cast<size_t>(dim)), form_(form) {}
 
-    // The factor for the weights of the later part: 1 if they agree already.
+    // The factor by which the weights of the later part are to be multiplied, from its weight of largest
+    // magnitude: 1 if the weights agree already.
     [[nodiscard]] double factor() const noexcept {
         double largest = 0, factor = 1;
         for_each([&](size_t a, size_t b) {
@@ -120,7 +121,7 @@ public:
         });
         return factor;
     }
-    // Largest relative difference of the weights after that.
+    // The largest relative difference of the weights after multiplication by the factor.
     [[nodiscard]] double disagreement(double factor) const noexcept {
         double worst = 0;
         for_each([&](size_t a, size_t b) {
@@ -132,7 +133,7 @@ public:
         });
         return worst;
     }
-    // Largest distance of two control points that would become one.
+    // The largest distance between two control points that would become one.
     [[nodiscard]] double gap(double factor) const noexcept {
         double worst = 0;
         for_each([&](size_t a, size_t b) { worst = std::max(worst, distance(a, b, factor)); });
@@ -160,7 +161,7 @@ private:
         return norm_of(static_cast<int>(dim_), [&](int k) {
             const auto c = static_cast<size_t>(k);
             const double x = before_.points[a * width + c], y = after_.points[b * width + c];
-            if (wa == 0 || wb == 0) { // a point at infinity is close only to itself
+            if (wa == 0 || wb == 0) { // a point at infinity is only close to itself
                 return x == factor * y ? 0 : infinity;
             }
             return x / wa - y / wb;
@@ -181,7 +182,8 @@ void scale_weights(Points &part, double factor, Form form) {
     }
 }
 
-// Appends the knots after the start of a part, moved so that it begins at the last knot.
+// Appends the knots of a part after its first degree + 1, shifted so that its domain begins at the last knot
+// so far.
 void append_knots(std::vector<double> &knots, const KnotVector &part, size_t index) {
     const double start = knots.back(), lower = part.domain().lower;
     for (int64_t i = part.degree() + 1; i < std::ssize(part.knots()); ++i) {
@@ -196,7 +198,7 @@ void append_knots(std::vector<double> &knots, const KnotVector &part, size_t ind
     }
 }
 
-// The layers of all parts side by side; `skip[i]` layers of part i are left out at its start.
+// The layers of all parts one after another, without the first skip[i] layers of part i.
 std::vector<double> side_by_side(const std::vector<Points> &parts, const std::vector<int64_t> &skip,
                                  std::vector<double> Points::*array) {
     std::vector<double> result;
@@ -211,7 +213,7 @@ std::vector<double> side_by_side(const std::vector<Points> &parts, const std::ve
     return result;
 }
 
-// Whether ends become one layer; measures their distance.
+// Whether the two end layers become one. Updates the largest distance between such layers.
 bool meet(const Seam &seam, double factor, JoinRule rule, size_t index, double &gap) {
     constexpr double rounding = 4 * eps;
     const double here = seam.gap(factor), weights = seam.disagreement(factor);

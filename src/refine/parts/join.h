@@ -9,21 +9,22 @@
 namespace nrb::refine {
 
 struct JoinRule {
-    double tolerance; // the largest distance between ends that counts as none
-    bool keep_gaps;   // ends farther apart become a jump instead of an error
+    double tolerance; // the largest distance at which ends meet
+    bool keep_gaps;   // ends that do not meet become a jump, not an error
 };
 
 struct Joined {
     SplinePtr spline;
-    double gap; // the largest distance between control points of ends that were joined
+    double gap; // the largest distance between control points of adjacent ends
 };
 
-// The parts one after the other, each moved in the parameter to begin where the one before ends. Inner ends
-// are clamped first, and degrees raised to the highest. Where ends meet they become one layer, that of the
-// earlier part, under a knot of multiplicity degree. Where they do not meet, and at degree 0, both layers
-// stay, under a knot of multiplicity degree + 1. Weights of a part are multiplied by the factor that makes it
-// continue the parts before. Throws Status::incompatible, gap, not_representable, and what cutting and
-// elevate() throw. Precondition: at least one part, and all have the axis.
+// Joins the parts in their order. Each is shifted in the parameter to begin where the part before it ends.
+// Ends to be joined are clamped first, and degrees are raised to the highest. Where two ends meet they become
+// one layer, that of the earlier part, under a knot of multiplicity `degree`, and the weights of the later
+// part are multiplied by the factor that makes them continue those of the earlier one. Where they do not
+// meet, and at degree 0, both layers stay, under a knot of multiplicity degree + 1. Throws
+// Status::incompatible, gap, knots_merge, not_representable, and what cutting and elevate() throw.
+// Precondition: there is at least one part, and all parts have the axis.
 Joined join(std::span<const SplinePtr> given, int axis, JoinRule rule);
 
 } // namespace nrb::refine

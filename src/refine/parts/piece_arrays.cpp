@@ -22,7 +22,7 @@ PieceOrder order_of(const Spline &spline) {
     return PieceOrder({axes.data(), static_cast<size_t>(spline.axes())});
 }
 
-// Weights of a net whose form has no array of them.
+// The weights of a net in homogeneous form, as an array.
 std::vector<double> weights_of(const Spline &whole) {
     std::vector<double> weights(static_cast<size_t>(whole.point_count()));
     for (int64_t i = 0; i < whole.point_count(); ++i) {

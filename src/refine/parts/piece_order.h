@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pieces of a net in which every axis is decomposed: side by side, as an operation along the axes makes them, or one
-// after the other, as callers want them.
+// Two orders of the control points of a net in which every axis is decomposed: as one net, in which the
+// pieces lie side by side along each axis, or one piece after the other, as callers want them.
 #pragma once
 
 #include "spline/spline.h"
@@ -10,20 +10,21 @@
 
 namespace nrb::refine {
 
-// The pieces along every axis, and the layers of each piece. Missing axes come first, with one of each.
+// The numbers of pieces and of layers of a piece along every axis. Missing axes come first, with one piece of
+// one layer.
 class PieceOrder {
 public:
-    // `piece` axes: the number of pieces and of the layers of one.
+    // One axis: the number of its pieces, and the number of layers of each.
     struct Axis {
         int64_t pieces;
         int64_t layers;
     };
     explicit PieceOrder(std::span<const Axis> axes);
 
-    // pieces: the records of `net`, which has all layers of each axis side by side, one piece after the other; last
-    // axis fastest. Both have room for `width` doubles a record.
+    // From `net`, which has all layers of each axis side by side, to one piece after the other, last axis
+    // fastest in both. Records have `width` doubles.
     void take_apart(int width, const double *net, double *pieces) const noexcept;
-    // The way back.
+    // The inverse of take_apart().
     void put_together(int width, const double *pieces, double *net) const noexcept;
 
 private:
@@ -31,7 +32,8 @@ private:
     [[nodiscard]] bool same() const noexcept {
         return pieces_[0] * layers_[0] == 1 && pieces_[1] * layers_[1] == 1;
     }
-    // Calls body(place in the net) for every row of the pieces in turn, the records along the last axis of one.
+    // Calls body(index of a row in the net) for the rows of one piece after the other. A row is the records
+    // of a piece along the last axis; its index counts rows of that length.
     template <class Body>
     void for_each_row(Body &&body) const noexcept;
 

@@ -10,7 +10,7 @@ namespace nrb::refine {
 
 namespace {
 
-// Knots begin, ..., end - 1 are known.
+// Fills in the knots before `begin` and from `end` on, by copies a period (`step` knots) away.
 void continue_both_ways(std::vector<double> &knots, size_t begin, size_t end, size_t step,
                         double period) noexcept {
     for (size_t i = begin; i-- > 0;) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The knots of a periodic axis beyond one period.
+// The knots of a periodic axis beyond the stored period.
 #pragma once
 
 #include "basis/knot_vector.h"
@@ -8,13 +8,13 @@
 
 namespace nrb::refine {
 
-// Overwrites the knots before knots[first] and after knots[last], a period of `step` knots later, by copies,
-// a period away, of those that are known. Equal knots have equal copies, whatever the rounding. Throws
-// Status::not_representable when a knot overflows. Preconditions: first + step == last < knots.size().
+// Overwrites the knots before `first` and after `last`, which are one period of `step` knots apart, by copies
+// of known knots a period away. Equal knots get equal copies, whatever the rounding. Throws
+// Status::not_representable if a knot overflows. Precondition: first + step == last < knots.size().
 void continue_knots(std::vector<double> &knots, size_t first, size_t last, size_t step);
 
-// The stored knots with `lead` more on either side, made in the same way. Throws Status::not_representable
-// when a knot overflows. Precondition: the axis is periodic.
+// The stored knots with `lead` more on either side, made in the same way. Throws Status::not_representable if
+// a knot overflows. Precondition: the axis is periodic.
 std::vector<double> extended_knots(const KnotVector &axis, int64_t lead);
 
 } // namespace nrb::refine

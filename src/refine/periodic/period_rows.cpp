@@ -10,9 +10,9 @@ namespace nrb::refine {
 
 namespace {
 
-constexpr int64_t work_of_a_row = 100; // its memory
+constexpr int64_t work_of_a_row = 100; // mostly for memory
 
-// A row of a period of rows, moved by `periods` periods.
+// A row of a table that gives one period of layers, for any layer of the endless sequence.
 struct Shifted {
     const double *coefficients;
     int64_t first;

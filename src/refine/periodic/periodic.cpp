@@ -11,8 +11,8 @@ namespace nrb::refine {
 
 namespace {
 
-// The layers and knots of a periodic axis with `lead` more on either side, as plain ones. Layer i of the
-// extension is layer i - lead of the endless sequence; the same holds for knots.
+// A periodic axis extended by `lead` layers and knots on either side, as an ordinary axis. Layer i of the
+// extension is layer i - lead of the endless sequence, and likewise for knots.
 struct Extension {
     const KnotVector &axis;
     int64_t distinct;
@@ -21,14 +21,16 @@ struct Extension {
     std::vector<double> knots;
 
     explicit Extension(const KnotVector &stored);
-    // The copy of a new knot that stands after stored knot k, placed after extended knot `at`. If the knot
-    // exists, so does its copy; otherwise the copy stays between its neighbours whatever the rounding.
+    // The copy of a new knot that follows stored knot k, for the period in which it follows extended knot
+    // `at`. If the knot exists already, so does its copy. Otherwise the copy is clamped between its
+    // neighbours, whatever the rounding.
     [[nodiscard]] double copy_of(double knot, int64_t k, int64_t at) const noexcept;
-    // The copies of a knot in all periods of the extension, and how many of them stand before its domain.
+    // Appends the copies of a knot in all periods of the extension. Returns how many of them precede the
+    // domain.
     int64_t append_copies(double knot, std::vector<double> &copies) const;
 };
 
-// New layers and knots of one period depend on old ones at most degree + 1 places away.
+// The layers and knots of one period depend on old ones at most degree + 1 places away.
 Extension::Extension(const KnotVector &stored)
     : axis(stored), distinct(stored.distinct_layers()), lead(stored.degree() + 1),
       period(stored.domain().upper - stored.domain().lower), knots(extended_knots(stored, lead)) {}
@@ -38,7 +40,7 @@ double Extension::copy_of(double knot, int64_t k, int64_t at) const noexcept {
     if (knot == axis[k]) {
         return knots[index];
     }
-    const int64_t periods = (at - lead - k) / distinct; // without remainder
+    const int64_t periods = (at - lead - k) / distinct; // exact
     return std::clamp(knot + static_cast<double>(periods) * period, knots[index], knots[index + 1]);
 }
 
@@ -54,8 +56,8 @@ int64_t Extension::append_copies(double knot, std::vector<double> &copies) const
     return before;
 }
 
-// If knots are so close that rounding makes them equal a period away, a copy would get too high a
-// multiplicity.
+// Knots may be so close that rounding makes their copies a period away equal. Checks that none then has too
+// high a multiplicity.
 void check_copies(std::span<const double> fine, int degree) {
     const auto limit = static_cast<size_t>(degree) + 1;
     for (size_t i = 0; i + limit < fine.size(); ++i) {

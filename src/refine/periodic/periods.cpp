@@ -10,7 +10,7 @@ namespace nrb::refine {
 
 namespace {
 
-// The knots of a periodic axis, numbered without end; stored knots keep their numbers.
+// The knots of a periodic axis as an endless sequence; stored knots keep their numbers.
 class EndlessKnots {
 public:
     explicit EndlessKnots(const KnotVector &axis) noexcept
@@ -20,7 +20,7 @@ public:
     [[nodiscard]] bool stored(int64_t i) const noexcept { return 0 <= i && i < std::ssize(axis_.knots()); }
     [[nodiscard]] double operator[](int64_t i) const noexcept {
         const int64_t base = in_period(i);
-        const int64_t periods = (i - base) / step_; // without remainder
+        const int64_t periods = (i - base) / step_; // exact
         return stored(i) ? axis_[i] : std::fma(static_cast<double>(periods), length_, axis_[base]);
     }
     [[nodiscard]] bool equals_next(int64_t i) const noexcept {
@@ -29,7 +29,8 @@ public:
     }
 
 private:
-    // From `degree` on, so that the knot after it is stored too.
+    // The index of the same knot within one period, from `degree` on, so that the knot after it is stored
+    // too.
     [[nodiscard]] int64_t in_period(int64_t i) const noexcept {
         const int64_t rest = (i - axis_.degree()) % step_;
         return axis_.degree() + (rest < 0 ? rest + step_ : rest);
@@ -40,7 +41,7 @@ private:
     double length_;
 };
 
-// Knots begin, begin + 1, ...; if some of them are stored, the stored ones replace the rounded ones.
+// Knots begin, begin + 1, ... of the sequence, in order. Those that are stored are taken as they are.
 std::vector<double> knots_from(const EndlessKnots &endless, int64_t begin, int64_t size) {
     std::vector<double> knots(static_cast<size_t>(size));
     int64_t known = 0;

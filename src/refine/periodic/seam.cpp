@@ -7,15 +7,15 @@ namespace nrb::refine {
 
 namespace {
 
-// Knots `from` to from + distinct + 2 degree of the endless sequence; those of later periods are rounded
-// once.
+// The knots of the endless sequence from `from` to from + distinct + 2 degree. Those beyond the stored ones
+// are rounded once.
 std::vector<double> moved_knots(const KnotVector &axis, int64_t from) {
     const int64_t distinct = axis.distinct_layers();
     const int p = axis.degree();
     const double period = axis.domain().upper - axis.domain().lower;
     std::vector<double> knots;
     for (int64_t i = from; i < from + distinct + 2 * int64_t{p} + 1; ++i) {
-        const int64_t last = axis.count() + p; // stored knots are taken as they are
+        const int64_t last = axis.count() + p; // stored knots are kept as they are
         const int64_t periods = i <= last ? 0 : (i - last + distinct - 1) / distinct;
         const double knot = axis[i - periods * distinct];
         knots.push_back(periods == 0 ? knot : knot + static_cast<double>(periods) * period);
@@ -23,7 +23,7 @@ std::vector<double> moved_knots(const KnotVector &axis, int64_t from) {
     return knots;
 }
 
-// Equal knots stay equal and distinct ones distinct.
+// Checks that knots moved by a period are equal if and only if their originals are.
 void check_moved(const KnotVector &axis, int64_t from, const std::vector<double> &knots) {
     const int64_t distinct = axis.distinct_layers();
     for (int64_t i = 0; i + 1 < std::ssize(knots); ++i) {

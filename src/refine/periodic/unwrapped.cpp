@@ -23,7 +23,7 @@ void check_runs(int degree, std::span<const double> period, int axis, int64_t of
     }
 }
 
-// The copies at both ends of the period are those of one knot, of which one is counted twice.
+// The first and the last knot of the period are copies of one knot; one of these copies is counted twice.
 void check_seam(int degree, std::span<const double> period, int axis, int64_t offset) {
     const int copies = multiplicity(period, period.front()) + multiplicity(period, period.back()) - 1;
     if (copies > degree + 1) {
@@ -85,7 +85,7 @@ std::vector<double> wrapped_layers(std::span<const double> values, const AxisVie
     return result;
 }
 
-// From the last axis on, so that the layers of the axes before are still those that differ.
+// The last axis is wrapped first, so that the axes before it still have their distinct layers only.
 std::vector<double> wrapped(std::vector<double> values, const Spline::Axes &axes, int64_t width) {
     AxisView view{1, 1, width};
     for (const KnotVectorPtr &axis : axes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Periodic axes without what they repeat: the knots of one period with its end, which are those of the domain, and each
-// control point once, which are the first layers. Other axes are whole.
+// Periodic axes in unwrapped form, without what they repeat: the knots of one period with its end, which are
+// those of the domain, and each control point once, which are the first layers. Other axes are left whole.
 #pragma once
 
 #include "spline/axis_view.h"
@@ -9,24 +9,27 @@
 
 namespace nrb::refine {
 
-// Checks the knots of a period of m control points, m + 1 of them: finite, sorted, no more than degree + 1 equal ones, where
-// the last one is the first one of the next period. `axis` and `offset` are for messages, as in check_knots().
+// Checks the m + 1 knots of a period of m control points: finite, sorted, not all equal, and no knot more
+// than degree + 1 times, where the last knot is the first one of the next period. `axis` and `offset` are for
+// messages, as in check_knots().
 void check_period(int degree, std::span<const double> period, int axis, int64_t offset);
 
-// All m + 2 degree + 1 knots of an axis. Equal knots have equal copies. Throws Status::not_representable if copies overflow,
-// or if rounding makes too many equal. Precondition: check_period() accepts the period.
+// All m + 2 degree + 1 knots of an axis with this period. Equal knots get equal copies. Throws
+// Status::not_representable if copies overflow, or if rounding makes too many of them equal. Precondition:
+// check_period() accepts the period.
 std::vector<double> wrapped_knots(int degree, std::span<const double> period);
 
 std::span<const double> unwrapped_knots(const KnotVector &axis) noexcept;
 
-// The first `distinct` layers of an axis and, behind them, as many copies as make `count` layers.
+// The first `distinct` layers of an axis, followed by copies of them up to `count` layers in all.
 std::vector<double> wrapped_layers(std::span<const double> values, const AxisView &view, int64_t distinct,
                                    int64_t count);
 
-// `width` values for each control point that differs become those of all control points of a spline with these axes.
+// From `width` values for each distinct control point to values for all control points of a spline with these
+// axes.
 std::vector<double> wrapped(std::vector<double> values, const Spline::Axes &axes, int64_t width);
 
-// use(i, j) for each control point that differs: number i of those, number j of all.
+// Calls use(i, j) for each distinct control point: i is its number among these, j its number among all.
 template <class Use>
 void for_each_distinct(const Spline &spline, Use &&use) {
     std::array<int64_t, max_axes> distinct{1, 1, 1}, count{1, 1, 1};
