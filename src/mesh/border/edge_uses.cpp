@@ -6,6 +6,7 @@
 #include "eval/curve_point.h"
 #include "face/border_pieces.h"
 #include "face/deviation.h"
+#include "spline/part.h"
 
 #include <algorithm>
 #include <cmath>

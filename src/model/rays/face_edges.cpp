@@ -6,6 +6,7 @@
 #include "face/boundary.h"
 #include "intersect/rays/near_curve.h"
 #include "model/rays/face_place.h"
+#include "spline/part.h"
 
 #include <algorithm>
 #include <cmath>
