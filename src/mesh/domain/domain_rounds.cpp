@@ -39,19 +39,25 @@ double DomainMesher::longest_side(const SiteTriangle &triangle) const noexcept {
     return longest;
 }
 
-// Where a triangle of the strip is best divided: on a side that is at a pole, else on the side over which the
-// surface is longest, of those that can be divided.
+// Where a triangle of the strip is best divided: on a side that is at a pole, unless that is narrow already, else on
+// the side over which the surface is longest, of those that can be divided.
 DomainMesher::Split DomainMesher::split_of(const SiteTriangle &triangle) const {
+    constexpr double narrow = 0.25;
+    std::array<double, 3> shares{};
+    for (size_t k = 0; k < 3; ++k) {
+        shares[k] = cells_.share(sites_[triangle.sites[(k + 1) % 3]].param,
+                                 sites_[triangle.sites[(k + 2) % 3]].param);
+    }
     Split best;
     for (size_t k = 0; k < 3; ++k) {
         const int32_t from = triangle.sites[(k + 1) % 3], to = triangle.sites[(k + 2) % 3];
         const Site &a = sites_[from], &b = sites_[to];
-        const bool pole = a.point == b.point;
-        const double size = pole ? infinity : sites_.way(from, to);
+        const bool pole = a.point == b.point, wide = shares[k] >= narrow * *std::ranges::max_element(shares);
+        const double size = !pole ? sites_.way(from, to) : wide ? infinity : 0;
         const bool can = pole || !triangle.fixed[k] || triangle.border[k] >= 0;
         if (can && size > best.size) {
             best = {size, {(a.param[0] + b.param[0]) / 2, (a.param[1] + b.param[1]) / 2}, triangle.border[k]};
-            best.share = cells_.share(a.param, b.param);
+            best.share = shares[k];
         }
     }
     return best;
