@@ -167,19 +167,18 @@ double TriangleProof::moved_beyond(const Rectangle &part, const Rectangle &block
 ProvenTriangle TriangleProof::known_in_cell(const SiteTriangle &triangle) {
     constexpr size_t most_kept = 8192;
     const auto &s = triangle.sites;
+    const Rectangle cell = cells_.tree().rectangle(cells_.tree().cells()[static_cast<size_t>(triangle.cell)]);
     kept_at_.resize(most_kept, -1);
     int32_t &at = kept_at_[Hash{}({s[0], s[1], s[2]}) % most_kept];
-    if (at >= 0 && kept_[static_cast<size_t>(at)].sites == s) {
-        return kept_[static_cast<size_t>(at)].proven;
-    }
-    const Kept made{s, in_cell(triangle)};
-    if (at >= 0) {
-        kept_[static_cast<size_t>(at)] = made;
-    } else {
+    if (at < 0) {
         at = static_cast<int32_t>(kept_.size());
-        kept_.push_back(made);
+        kept_.emplace_back();
     }
-    return made.proven;
+    Kept &own = kept_[static_cast<size_t>(at)];
+    if (own.sites != s || own.cell != cell) {
+        own = {s, cell, in_cell(triangle)};
+    }
+    return own.proven;
 }
 
 ProvenTriangle TriangleProof::in_cell(const SiteTriangle &triangle) {

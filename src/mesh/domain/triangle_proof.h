@@ -84,10 +84,12 @@ private:
     CellNets nets_;
     PieceBound by_pieces_;
     std::unordered_map<Key, ProvenTriangle, Hash> known_;
-    // Bounds of triangles of cells, which the next round asks for again: all of a small mesh, and some of a large
-    // one. kept_at_: the number of the bound for each value of a hash of the sites, -1: none.
+    // Bounds of triangles of cells, which the next round asks for again: nearly all of a small mesh. If the cell of a
+    // triangle was divided, they are no longer the best. kept_at_: the number of the bound for each value of a hash of
+    // the sites, -1: none.
     struct Kept {
-        std::array<int32_t, 3> sites;
+        std::array<int32_t, 3> sites{-1, -1, -1};
+        Rectangle cell;
         ProvenTriangle proven;
     };
     std::vector<Kept> kept_;

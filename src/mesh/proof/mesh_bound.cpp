@@ -183,7 +183,7 @@ Distances MeshBound::distances(size_t triangle, double enough, double allowed) c
     if (!(best.most() <= enough)) {
         take(by_sides(triangle));
     }
-    if (!(best.most() <= allowed) && own.height <= allowed && !all.on_border && all.turned < 2) {
+    if (!(best.most() <= allowed) && !all.on_border && all.turned < 2) {
         take(star_bound(neighbours_, bounds_, triangle, allowed));
     }
     return best;

@@ -32,6 +32,7 @@ namespace nrb::mesh {
 struct Rectangle {
     std::array<double, 2> lower{}, upper{};
 
+    bool operator==(const Rectangle &) const = default;
     [[nodiscard]] double side(size_t k) const noexcept { return upper[k] - lower[k]; }
     [[nodiscard]] std::array<double, 2> sides() const noexcept { return {side(0), side(1)}; }
     [[nodiscard]] std::array<double, 2> middle() const noexcept {
