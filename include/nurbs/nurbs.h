@@ -5027,15 +5027,17 @@ NURBS_API nurbs_status nurbs_moments_with(const nurbs *g, double relative_tolera
  * its chain. A jump inside a curve is an end and a start; a periodic curve has no other ends.
  * \param[in] count number of curves, > 0.
  * \param[in] curves [count] curves of dimension 2.
- * \param[in] tolerance largest gap between an end and the start nearest to it, >= 0.
+ * \param[in] tolerance largest gap between an end and the start that follows it, another one for each end,
+ *   >= 0.
  * \param[in] relative_tolerance >= 0.
  * \param[out] area the area, with its sign.
  * \param[out] centroid [2] or NULL.
  * \param[out] inertia [2][2] or NULL: as for nurbs_moments().
  * \param[out] error or NULL: estimate of the error of area, gaps not included.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP
- *   naming the curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted,
- *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ *   naming a curve whose end has no start within the tolerance, and the gap, or none that is not that of
+ *   another end; _LENGTH if the area is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
+ *   _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *curves, double tolerance,
                                            double relative_tolerance, double *area, double *centroid,
