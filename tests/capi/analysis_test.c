@@ -2,6 +2,8 @@
 /* Features of shapes: known ones, the query of lengths, and what is refused. */
 #include "shapes.h"
 
+#include <float.h>
+
 static void features(void) {
     nurbs *g = make(arch()); /* symmetric about t = 1/2: one maximum of curvature there */
     double params[4], values[4];
@@ -163,6 +165,29 @@ static void periodic_contact(void) {
     CHECK_OK(nurbs_create(2, degrees, counts, knots, 15, 2, points, 0, 0, NULL, 0, NURBS_PERIODIC, &g));
     CHECK_OK(nurbs_boundary_contacts(g, 0, closed, gaps, NULL, NULL));
     CHECK(closed[0] == 1 && gaps[0] == 0 && closed[1] == 0);
+    nurbs_destroy(g);
+}
+
+/* An end that is not clamped is rounded: (1 + (1 + eps)) / 2 becomes 1, as the other end is, and as the other
+ * end of that boundary of the surface is. */
+static void unclamped_contacts(void) {
+    const double points[] = {1, 1, 1 + DBL_EPSILON, 1, 1, 3, 1, 1, 1, 1},
+                 column[] = {1, 1 + DBL_EPSILON, 1 - 2 * DBL_EPSILON, 1, 1},
+                 knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 0, 1, 1};
+    const int32_t degrees[] = {2, 1};
+    const int64_t counts[] = {5, 2};
+    double gaps[2], sizes[4];
+    int32_t closed[2], collapsed[4];
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create(1, degrees, counts, knots, 8, 1, column, 0, 0, NULL, 0, 0, &g));
+    CHECK_OK(nurbs_boundary_contacts(g, 1e-13, closed, gaps, NULL, NULL));
+    CHECK(closed[0] == 1 && gaps[0] >= DBL_EPSILON / 2);
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 12, 1, points, 0, 0, NULL, 0, 0, &g));
+    CHECK_OK(nurbs_boundary_contacts(g, 1e-13, closed, gaps, collapsed, sizes));
+    CHECK(closed[0] == 1 && gaps[0] >= DBL_EPSILON / 2);
+    CHECK(closed[1] == 0 && gaps[1] >= 1);
+    CHECK(collapsed[0] == 1 && sizes[0] >= DBL_EPSILON / 4);
     nurbs_destroy(g);
 }
 
@@ -389,6 +414,7 @@ int main(void) {
     fold_between_poles();
     singular_between_pieces();
     periodic_contact();
+    unclamped_contacts();
     monotone_pieces();
     other_shapes();
     a_point();
