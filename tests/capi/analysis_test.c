@@ -191,6 +191,27 @@ static void unclamped_contacts(void) {
     nurbs_destroy(g);
 }
 
+/* Weights of both signs magnify the rounding at ends that are not clamped: x = 3 w(t) / w(t) = 3 at the start,
+ * where w(t) is 2^-20 of the weights, and what is computed there at the end. */
+static void cancelling_contacts(void) {
+    const int32_t degree = 2;
+    const int64_t count = 5;
+    for (int i = 0; i < 20; ++i) {
+        const double knots[] = {0, 1, 2, 3.1 + i / 16.0, 4.5, 5, 6, 7}, share = 1 / (knots[3] - 1);
+        const double w = (float)((1 - share) / share * (1 + 0x1p-20)); /* 3 w is exact, too */
+        double records[] = {-3, -1, 3 * w, w, 3, 1, 3, 1, 3, 1}, start = 0, gap = 0;
+        nurbs *g = NULL;
+        CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 8, 1, records, 0, 0, 0, &g));
+        CHECK_OK(nurbs_eval(g, 1, &knots[2], 0, 0, &start, 0, 0, 0));
+        nurbs_destroy(g);
+        records[6] = records[8] = start;
+        CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 8, 1, records, 0, 0, 0, &g));
+        CHECK_OK(nurbs_boundary_contacts(g, 1, NULL, &gap, NULL, NULL));
+        CHECK(gap >= fabs(start - 3));
+        nurbs_destroy(g);
+    }
+}
+
 static void monotone_pieces(void) {
     nurbs *g = make(arch());
     const double up[] = {0, 1};
@@ -415,6 +436,7 @@ int main(void) {
     singular_between_pieces();
     periodic_contact();
     unclamped_contacts();
+    cancelling_contacts();
     monotone_pieces();
     other_shapes();
     a_point();
