@@ -203,9 +203,11 @@ nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range, double re
                     {memory("range", range, 2)});
         check_apart({memory("error", error, 1), memory("grad_weights", grad_weights, weights.extent())},
                     {memory("range", range, 2)});
-        const measure::LengthGradient found =
-            measure::length_gradient(curve, checked_part(curve, range)[0], relative_tolerance);
-        check_multiples(found.points, cotangent, "grad_points");
+        const measure::LengthGradient found = measure::length_gradient(
+            curve, checked_part(curve, range)[0], relative_tolerance, grad_weights != nullptr);
+        if (grad_points != nullptr) {
+            check_multiples(found.points, cotangent, "grad_points");
+        }
         check_multiples(found.weights, cotangent, "grad_weights");
         give(points, found.points, cotangent, flags != 0);
         give(weights, found.weights, cotangent, flags != 0);

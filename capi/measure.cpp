@@ -10,6 +10,7 @@
 #include "base/checked.h"
 #include "base/tolerance.h"
 #include "eval/parameters.h"
+#include "measure/closed_chains.h"
 #include "measure/length/divide.h"
 #include "measure/length/length_table.h"
 #include "measure/moments.h"

@@ -3816,7 +3816,7 @@ NURBS_API nurbs_status nurbs_curve_conic_through(int32_t dim, const double *poin
  * \param[out] sizes [2] semi-axes or focal length.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP; _FACTOR if a coefficient is not finite; _CONIC if the
  *   equation describes no curve of these kinds: no points, one point, or lines; _NOT_REPRESENTABLE if a
- *   value overflows.
+ *   value overflows or a size underflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_conic_axes(const double *coefficients, int32_t *type, double *origin, double *x,
                                         double *sizes);
@@ -4920,9 +4920,10 @@ NURBS_API nurbs_status nurbs_curve_lengths_with(const nurbs *g, int64_t n, const
  * \param[in] relative_tolerance >= 0, of the whole length.
  * \param[out] params [n] the parameters.
  * \param[in] param_stride distance between parameters, 0 = 1.
- * \param[in] flags NURBS_CLAMP: a length outside gives the nearer end instead of an error; or 0.
+ * \param[in] flags NURBS_CLAMP: a length outside, also an infinite one, gives the nearer end instead of an
+ *   error; or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _COUNT, _OVERFLOW, _STRIDE, _OVERLAP, _FLAGS, _TOLERANCE;
- *   _LENGTH if a length is not finite or outside, _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ *   _LENGTH if a length is NaN, or outside without NURBS_CLAMP; _NOT_CONVERGED, _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_params_at_lengths(const nurbs *g, int64_t n, const double *lengths,
                                                      int64_t length_stride, double relative_tolerance,
@@ -5027,15 +5028,17 @@ NURBS_API nurbs_status nurbs_moments_with(const nurbs *g, double relative_tolera
  * its chain. A jump inside a curve is an end and a start; a periodic curve has no other ends.
  * \param[in] count number of curves, > 0.
  * \param[in] curves [count] curves of dimension 2.
- * \param[in] tolerance largest gap between an end and the start nearest to it, >= 0.
+ * \param[in] tolerance largest gap between an end and the start that follows it, another one for each end,
+ *   >= 0.
  * \param[in] relative_tolerance >= 0.
  * \param[out] area the area, with its sign.
  * \param[out] centroid [2] or NULL.
  * \param[out] inertia [2][2] or NULL: as for nurbs_moments().
  * \param[out] error or NULL: estimate of the error of area, gaps not included.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXES, _DIMENSION, _OVERLAP, _TOLERANCE; _GAP
- *   naming the curve and the gap, _LENGTH if the area is 0 and centroid or inertia are wanted,
- *   _NOT_CONVERGED, _NOT_REPRESENTABLE.
+ *   naming a curve whose end has no start within the tolerance, and the gap, or none that is not that of
+ *   another end; _LENGTH if the area is 0 and centroid or inertia are wanted, _NOT_CONVERGED,
+ *   _NOT_REPRESENTABLE.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_enclosed_area(int64_t count, const nurbs *const *curves, double tolerance,
                                            double relative_tolerance, double *area, double *centroid,
@@ -5402,7 +5405,8 @@ NURBS_API nurbs_status nurbs_planarity(const nurbs *g, double *origin, double *n
  * \param[out] closed [axes] or NULL: 1 where the two boundaries of an axis are nowhere farther apart than the
  *   tolerance, at equal parameters, else 0.
  * \param[out] gaps [axes] or NULL: the two boundaries of the axis are nowhere farther apart than this, at
- *   equal parameters.
+ *   equal parameters. 0 on a periodic axis, whose boundaries are one by definition, however its knots are
+ *   rounded. Elsewhere the rounding of boundaries that are not clamped is in the gaps, and in the sizes.
  * \param[out] collapsed [2 * axes] or NULL: 1 where a boundary lies within the tolerance of one point (the
  *   pole), else 0; of a curve always 1.
  * \param[out] sizes [2 * axes] or NULL: the boundary lies within this distance of a point.
@@ -7349,7 +7353,7 @@ NURBS_API nurbs_status nurbs_closest_adjoint(const nurbs *g, int64_t n, const do
  * \param[in] flags NURBS_ACCUMULATE or 0.
  * \return NURBS_OK, NURBS_ERROR_NULL, _AXES, _STRIDE, _OVERFLOW, _OVERLAP, _FLAGS, _TOLERANCE;
  *   _PARAMETER_NOT_FINITE, _OUTSIDE_DOMAIN or _EMPTY_DOMAIN if range is no interval of the domain;
- *   _NOT_CONVERGED naming the error reached, _NOT_REPRESENTABLE if a gradient overflows.
+ *   _NOT_CONVERGED naming the error reached, _NOT_REPRESENTABLE if a gradient that is wanted overflows.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_length_adjoint(const nurbs *g, const double *range, double relative_tolerance,
                                             double cotangent, double *grad_points, int64_t grad_point_stride,

@@ -24,8 +24,9 @@ struct Contacts {
 AxisContact axis_contact(const Spline &spline, int axis, double tolerance);
 BoundarySize boundary_size(const Spline &spline, int axis, bool upper, double tolerance);
 
-// The gap of boundaries with bitwise equal values is 0, as is the size of a boundary that is a point. All
-// other bounds are proven. The searches go on until the bounds decide on which side of the tolerance the true
+// The gap of a periodic axis is 0 by definition; that of clamped boundaries with bitwise equal values is 0, as
+// is the size of a clamped boundary that is a point. All other bounds are proven, and include the rounding of
+// boundaries that are not clamped. The searches go on until the bounds decide on which side of the tolerance the true
 // value is, within a limited number of steps.
 Contacts boundary_contacts(const Spline &spline, double tolerance);
 

@@ -121,13 +121,32 @@ std::vector<double> projection_across(const std::vector<double> &d) {
 
 // An upper bound on |M (x - centre)| over the spline, for a matrix M of norm 1.
 double largest_image(const Spline &spline, const std::vector<double> &centre,
-                     const std::vector<double> &matrix) {
+                     const std::vector<double> &matrix, const pieces::SearchLimits &limits) {
     const pieces::SplinePieces pieces(spline, whole_domain(spline), centre);
     const pieces::PieceSource source = [&](int64_t i, pieces::QuotientPiece &out) {
         pieces.fill(i, matrix.data(), spline.dim(), 1, out);
     };
     const std::vector<double> uppers = pieces::quotient_uppers(pieces.count(), source);
-    return pieces::largest_quotient(uppers, source, fine).upper;
+    return pieces::largest_quotient(uppers, source, limits).upper;
+}
+
+double reach_from(const Spline &spline, const std::vector<double> &centre,
+                  const pieces::SearchLimits &limits) {
+    const size_t n = centre.size();
+    std::vector<double> identity(n * n);
+    for (size_t i = 0; i < n; ++i) {
+        identity[i * n + i] = 1;
+    }
+    return largest_image(spline, centre, identity, limits);
+}
+
+// An upper bound on the distance from the line through `centre` along d. The entries of the projection M have
+// errors of (n + 2) eps / 2 of d_i d_j / |d|^2, whose squares sum to 1, and of eps / 2 of their own sizes, the
+// squares of which sum to n - 1: in all a matrix of norm (n + 2) eps at most.
+double farthest_from_line(const Spline &spline, const std::vector<double> &centre,
+                          const std::vector<double> &projection) {
+    const double reach = reach_from(spline, centre, {.ratio = 1, .steps = 4000});
+    return largest_image(spline, centre, projection, fine) + (spline.dim() + 2) * eps * reach;
 }
 
 void require_finite(double bound) {
@@ -187,12 +206,7 @@ std::vector<double> ball_centre(const std::vector<double> &points, int dim) {
 }
 
 double farthest_from(const Spline &spline, const std::vector<double> &centre) {
-    const size_t n = centre.size();
-    std::vector<double> identity(n * n);
-    for (size_t i = 0; i < n; ++i) {
-        identity[i * n + i] = 1;
-    }
-    return largest_image(spline, centre, identity);
+    return reach_from(spline, centre, fine);
 }
 
 Flatness straightness(const Spline &spline) {
@@ -221,7 +235,7 @@ Flatness straightness(const Spline &spline) {
     }
     const std::vector<double> middle = ball_centre(images, dim);
     std::transform(middle.begin(), middle.end(), result.origin.begin(), result.origin.begin(), std::plus<>());
-    result.bound = largest_image(spline, result.origin, across);
+    result.bound = farthest_from_line(spline, result.origin, across);
     require_finite(result.bound);
     return result;
 }

@@ -40,35 +40,32 @@ double parallelogram(const double *u, const double *v, int dim) noexcept {
 // Centroid and inertia from integrals in the frame of the model.
 void add_moments(const Integrals &sums, const Factors &factors, const pieces::Frame &frame, MomentOrder order,
                  Moments &out) {
-    const int dim = static_cast<int>(frame.centre.size());
+    const size_t dim = frame.centre.size();
     const double content = sums.values[0] * factors.content;
     if (!(std::abs(sums.values[0]) > 16 * eps * sums.size)) {
         fail(Status::length, "the content is %s, expected another than 0 for a centroid",
              Number(out.content).text);
     }
     std::vector<double> mean;
-    for (int c = 0; c < dim; ++c) {
-        mean.push_back(sums.values[static_cast<size_t>(1 + c)] * factors.first / content);
-        out.centroid.push_back(frame.centre[static_cast<size_t>(c)] +
-                               std::ldexp(mean.back(), frame.exponent));
+    for (size_t c = 0; c < dim; ++c) {
+        mean.push_back(sums.values[1 + c] * factors.first / content);
+        out.centroid.push_back(frame.centre[c] + std::ldexp(mean.back(), frame.exponent));
     }
     if (order != MomentOrder::inertia) {
         return;
     }
     const double *second = sums.values.data() + 1 + dim;
-    out.inertia.resize(static_cast<size_t>(dim * dim));
+    out.inertia.resize(dim * dim);
     double trace = 0;
-    for (int a = 0; a < dim; ++a) {
-        for (int b = a; b < dim; ++b) {
-            const double about = *second++ * factors.second -
-                                 content * mean[static_cast<size_t>(a)] * mean[static_cast<size_t>(b)];
-            out.inertia[static_cast<size_t>(a * dim + b)] = out.inertia[static_cast<size_t>(b * dim + a)] =
-                -about;
+    for (size_t a = 0; a < dim; ++a) {
+        for (size_t b = a; b < dim; ++b) {
+            const double about = *second++ * factors.second - content * mean[a] * mean[b];
+            out.inertia[a * dim + b] = out.inertia[b * dim + a] = -about;
             trace += a == b ? about : 0;
         }
     }
-    for (int a = 0; a < dim; ++a) {
-        out.inertia[static_cast<size_t>(a * dim + a)] += trace;
+    for (size_t a = 0; a < dim; ++a) {
+        out.inertia[a * dim + a] += trace;
     }
     for (double &x : out.inertia) {
         x = std::ldexp(x, frame.exponent * (factors.dimension + 2)) + 0.0;

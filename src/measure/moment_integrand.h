@@ -12,9 +12,10 @@ class MomentIntegrand : public Integrand {
 public:
     MomentIntegrand(int axes, int dim, MomentOrder order) : axes_(axes), dim_(dim), order_(order) {}
 
-    [[nodiscard]] int values() const noexcept override {
-        return 1 + (order_ >= MomentOrder::centroid ? dim_ : 0) +
-               (order_ == MomentOrder::inertia ? dim_ * (dim_ + 1) / 2 : 0);
+    [[nodiscard]] int64_t values() const noexcept override {
+        const int64_t n = dim_;
+        return 1 + (order_ >= MomentOrder::centroid ? n : 0) +
+               (order_ == MomentOrder::inertia ? n * (n + 1) / 2 : 0);
     }
     [[nodiscard]] bool absolute() const noexcept override { return axes_ == dim_; }
     [[nodiscard]] bool metric() const noexcept override { return true; }
@@ -45,7 +46,9 @@ public:
         return (dim() + static_cast<int>(order())) * places;
     }
     [[nodiscard]] int independent() const noexcept override { return dim() == 3 ? 3 : 0; }
-    [[nodiscard]] int values() const noexcept override { return MomentIntegrand::values() + independent(); }
+    [[nodiscard]] int64_t values() const noexcept override {
+        return MomentIntegrand::values() + independent();
+    }
     void operator()(const double *place, const double *derivatives, double *out) const noexcept override;
 
 protected:

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measure/moments.h"
 
-#include "base/error.h"
-#include "base/numbers.h"
-#include "eval/curve_point.h"
 #include "measure/moment_integrand.h"
-#include "numeric/norm.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace nrb::measure {
 
@@ -18,31 +11,6 @@ Moments moments_of(const std::vector<Elements> &splines, const Integrand &integr
                    const pieces::Frame &frame, MomentOrder order, double relative_tolerance) {
     return moments_from(integrate(splines, integrand, relative_tolerance), integrand.independent(), factors,
                         frame, order, relative_tolerance);
-}
-
-struct CurveEnd {
-    int64_t curve;
-    std::vector<double> place;
-};
-
-// Appends the starts and ends of the parts between jumps. A periodic curve has no end at its seam.
-void add_ends(const Spline &curve, int64_t number, std::vector<CurveEnd> &starts,
-              std::vector<CurveEnd> &ends) {
-    const KnotVector &axis = curve.axis(0);
-    const auto [lower, upper] = axis.domain();
-    for (const KnotGroup &group : distinct_knots(axis.knots())) {
-        const bool jump = group.multiplicity > axis.degree(),
-                   outer = group.knot == lower || group.knot == upper;
-        if (group.knot < lower || group.knot > upper || !(jump || (outer && !axis.periodic()))) {
-            continue;
-        }
-        if (group.knot > lower) {
-            ends.push_back({number, eval::curve_point(curve, group.knot, true)});
-        }
-        if (group.knot < upper) {
-            starts.push_back({number, eval::curve_point(curve, group.knot, false)});
-        }
-    }
 }
 
 } // namespace
@@ -71,23 +39,6 @@ Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder ord
     const int n = parts.front()->dim();
     return moments_of(elements, BoundaryIntegrand(n, order), enclosed_factors(n), frame, order,
                       relative_tolerance);
-}
-
-void check_closed(const std::vector<SplinePtr> &curves, double tolerance) {
-    std::vector<CurveEnd> starts, ends;
-    for (int64_t i = 0; i < std::ssize(curves); ++i) {
-        add_ends(*curves[static_cast<size_t>(i)], i, starts, ends);
-    }
-    for (const CurveEnd &end : ends) {
-        double gap = infinity;
-        for (const CurveEnd &start : starts) {
-            gap = std::min(gap, distance(start.place.data(), end.place.data(), 2));
-        }
-        if (!(gap <= tolerance)) {
-            fail(Status::gap, "curves[%lld] ends %s from the nearest start, expected at most tolerance = %s",
-                 static_cast<long long>(end.curve), Number(gap).text, Number(tolerance).text);
-        }
-    }
 }
 
 } // namespace nrb::measure

@@ -27,8 +27,4 @@ Moments moments(const Spline &spline, const Part &part, MomentOrder order, doubl
 Moments enclosed_moments(const std::vector<SplinePtr> &boundary, MomentOrder order,
                          double relative_tolerance);
 
-// Checks that the curves form closed chains: throws Status::gap unless every end of a curve, and every limit
-// from below at a jump inside one, has a start within the tolerance.
-void check_closed(const std::vector<SplinePtr> &curves, double tolerance);
-
 } // namespace nrb::measure

@@ -145,8 +145,8 @@ private:
             const int higher = last_levels[static_cast<size_t>(axes - 1)] - levels[static_cast<size_t>(k)];
             bool promising = higher > 0;
             double most = 0;
-            for (int j = 0; j < static_cast<int>(values_); ++j) {
-                const double allowed = part * goal.tolerances[static_cast<size_t>(j)];
+            for (size_t j = 0; j < values_; ++j) {
+                const double allowed = part * goal.tolerances[j];
                 const double error = rule.error(k, j) * axes;
                 if (error > allowed) {
                     most = std::max(most, error / allowed);
@@ -227,10 +227,10 @@ private:
     // is taken as the error.
     void accept(const TensorRule &rule, int axes, bool good) {
         for (size_t j = 0; j < values_; ++j) {
-            sums_[j].add(rule.value(static_cast<int>(j)));
-            double error = 4 * eps * rule.magnitude(static_cast<int>(j));
+            sums_[j].add(rule.value(j));
+            double error = 4 * eps * rule.magnitude(j);
             for (int k = 0; k < axes; ++k) {
-                error += good ? rule.error(k, static_cast<int>(j)) : rule.decay(k, static_cast<int>(j)).last;
+                error += good ? rule.error(k, j) : rule.decay(k, j).last;
             }
             errors_[j].add(std::isfinite(error) ? error : infinity);
         }

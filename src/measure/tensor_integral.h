@@ -15,7 +15,7 @@ namespace nrb::measure {
 class Integrand {
 public:
     virtual ~Integrand() = default;
-    [[nodiscard]] virtual int values() const noexcept = 0;
+    [[nodiscard]] virtual int64_t values() const noexcept = 0;
     [[nodiscard]] virtual int independent() const noexcept { return 0; }
     // Whether all values change their sign where the first one is negative, so that its magnitude is
     // integrated.

@@ -10,8 +10,9 @@
 namespace nrb::measure {
 
 TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
-    : integrand_(integrand), axes_(elements.axes()), dim_(elements.dim()), values_(integrand.values()),
-      rational_(elements.rational()), coefficients_(elements.coefficients()) {
+    : integrand_(integrand), axes_(elements.axes()), dim_(elements.dim()),
+      values_(static_cast<size_t>(integrand.values())), rational_(elements.rational()),
+      coefficients_(elements.coefficients()) {
     for (int k = 0; k < axes_; ++k) {
         const auto at = static_cast<size_t>(k);
         degrees_[at] = elements.degree(k);
@@ -22,11 +23,12 @@ TensorRule::TensorRule(const Elements &elements, const Integrand &integrand)
         rule_basis_derivatives(degrees_[at], derivatives_[at].data());
     }
     place_.resize(static_cast<size_t>(dim_));
-    first_.resize(static_cast<size_t>(dim_ * axes_));
-    out_.resize(static_cast<size_t>(values_));
-    across_.resize(static_cast<size_t>(axes_ * values_ * rule_capacity));
-    decays_.resize(static_cast<size_t>(axes_ * values_));
-    magnitudes_.resize(static_cast<size_t>(values_));
+    const auto axes = static_cast<size_t>(axes_);
+    first_.resize(place_.size() * axes);
+    out_.resize(values_);
+    across_.resize(axes * values_ * rule_capacity);
+    decays_.resize(axes * values_);
+    magnitudes_.resize(values_);
 }
 
 // Evaluates values and derivatives at all nodes, axis by axis from the last one. The derivative along an axis
@@ -85,19 +87,18 @@ void TensorRule::visit_node(int64_t node, const std::vector<double> &origin) {
 // Adds the nodes of a line along the last axis to the sums across that axis, and computes the weighted sum of
 // the line.
 void TensorRule::add_line(int64_t first, const Line &line, const std::vector<double> &origin) {
-    const auto values = static_cast<size_t>(values_);
-    double *const across = across_.data() + (axes_ - 1) * values_ * rule_capacity;
+    double *const across = across_.data() + static_cast<size_t>(axes_ - 1) * values_ * rule_capacity;
     std::fill(line_.begin(), line_.end(), 0.0);
     for (int i = 0; i < line.size; ++i) {
         if (line.weights[i] == 0) {
             continue;
         }
         visit_node(first + i, origin);
-        for (size_t j = 0; j < values; ++j) {
+        for (size_t j = 0; j < values_; ++j) {
             const double value = out_[j], weighted = line.weights[i] * value;
             across[j * rule_capacity + static_cast<size_t>(i)] += line.weight * value;
             line_[j] += weighted;
-            line_[values + j] += std::abs(weighted);
+            line_[values_ + j] += std::abs(weighted);
         }
     }
 }
@@ -107,7 +108,7 @@ void TensorRule::evaluate(const double *net, const std::vector<double> &origin, 
     expand(net, levels);
     std::fill(across_.begin(), across_.end(), 0.0);
     std::fill(magnitudes_.begin(), magnitudes_.end(), 0.0);
-    line_.resize(2 * static_cast<size_t>(values_));
+    line_.resize(2 * values_);
     const int last = axes_ - 1;
     const auto size = [&](int k) { return k < last ? rule_size(levels[static_cast<size_t>(k)]) : 1; };
     const auto weight = [&](int k, int i) {
@@ -131,15 +132,14 @@ void TensorRule::evaluate(const double *net, const std::vector<double> &origin, 
 
 // Adds the sum of a line to the sums across the other axes.
 void TensorRule::add_line_sums(const std::array<int, 2> &at, const std::array<double, 2> &weights) {
-    const auto values = static_cast<size_t>(values_);
     for (size_t k = 0; k + 1 < static_cast<size_t>(axes_); ++k) {
-        double *across = across_.data() + k * values * rule_capacity + at[k];
-        for (size_t j = 0; j < values; ++j) {
+        double *across = across_.data() + k * values_ * rule_capacity + at[k];
+        for (size_t j = 0; j < values_; ++j) {
             across[j * rule_capacity] += weights[1 - k] * line_[j];
         }
     }
-    for (size_t j = 0; j < values; ++j) {
-        magnitudes_[j] += weights[0] * weights[1] * line_[values + j];
+    for (size_t j = 0; j < values_; ++j) {
+        magnitudes_[j] += weights[0] * weights[1] * line_[values_ + j];
     }
 }
 
@@ -148,14 +148,14 @@ void TensorRule::finish(const Levels &levels) {
         const int degree = rational_ ? -1 : integrand_.degree(degrees_[k]);
         const bool one_sign = !integrand_.absolute() || !positive_ || !negative_;
         exact_[k] = one_sign && degree >= 0 && degree <= rule_exactness(levels[k]);
-        for (size_t j = 0; j < static_cast<size_t>(values_); ++j) {
-            const size_t at = k * static_cast<size_t>(values_) + j;
+        for (size_t j = 0; j < values_; ++j) {
+            const size_t at = k * values_ + j;
             decays_[at] = rule_decay(levels[k], across_.data() + at * rule_capacity);
         }
     }
 }
 
-double TensorRule::error(int axis, int j) const noexcept {
+double TensorRule::error(int axis, size_t j) const noexcept {
     return exact_[static_cast<size_t>(axis)] ? 0 : decay(axis, j).error(magnitude(j));
 }
 

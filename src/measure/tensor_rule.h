@@ -20,15 +20,15 @@ public:
     // `net`: as in Element. Cost: one call of the integrand per node; nodes of weight 0 are left out.
     void evaluate(const double *net, const std::vector<double> &origin, const Levels &levels);
 
-    [[nodiscard]] double value(int j) const noexcept { return decay(0, j).integral; }
-    [[nodiscard]] double magnitude(int j) const noexcept { return magnitudes_[static_cast<size_t>(j)]; }
+    [[nodiscard]] double value(size_t j) const noexcept { return decay(0, j).integral; }
+    [[nodiscard]] double magnitude(size_t j) const noexcept { return magnitudes_[j]; }
     // The estimated error of the rule along one axis; 0 for polynomials that it integrates exactly.
-    [[nodiscard]] double error(int axis, int j) const noexcept;
+    [[nodiscard]] double error(int axis, size_t j) const noexcept;
     [[nodiscard]] bool exact() const noexcept {
         return std::all_of(exact_.begin(), exact_.begin() + axes_, [](bool x) { return x; });
     }
-    [[nodiscard]] const RuleDecay &decay(int axis, int j) const noexcept {
-        return decays_[static_cast<size_t>(axis * values_ + j)];
+    [[nodiscard]] const RuleDecay &decay(int axis, size_t j) const noexcept {
+        return decays_[static_cast<size_t>(axis) * values_ + j];
     }
 
 private:
@@ -44,7 +44,8 @@ private:
     void finish(const Levels &levels);
 
     const Integrand &integrand_;
-    int axes_, dim_, values_;
+    int axes_, dim_;
+    size_t values_;
     bool rational_;
     std::array<int, max_axes> degrees_{};
     int64_t coefficients_;

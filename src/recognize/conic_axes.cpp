@@ -17,26 +17,59 @@ namespace {
 
 struct Equation {
     double a, b, c, d, e, f;
+
+    Equation operator-() const noexcept { return {-a, -b, -c, -d, -e, -f}; }
 };
 
 int exponent_of(double x) noexcept {
     return x == 0 ? -100000 : std::ilogb(x);
 }
 
+// Powers of two by which the coordinates of an equation are divided.
+struct Units {
+    int x = 0, y = 0;
+};
+
 // The equation in coordinates divided by 2^exponent, multiplied by a power of two. The largest coefficient of
 // degree 2 and the largest of the others (if any) then have magnitudes near 1.
 struct Scaled {
     Equation equation;
     int exponent = 0;
+    // The same with another unit for the coordinate whose square has by far the smaller coefficient, which
+    // would vanish, or lose digits, in products. Such a unit only multiplies the determinant and 4 a c - b^2.
+    Equation stretched;
+    Units stretch;
 
     explicit Scaled(const double *q) noexcept {
         const int quadratic = std::max({exponent_of(q[0]), exponent_of(q[1]), exponent_of(q[2])});
         const int linear = std::max(exponent_of(q[3]), exponent_of(q[4]));
         const int step = std::max(linear - quadratic, (exponent_of(q[5]) - quadratic) / 2);
         exponent = std::abs(step) > 5000 ? 0 : step;
-        const auto scaled = [&](double x, int times) { return std::ldexp(x, -quadratic - times * exponent); };
-        equation = {scaled(q[0], 0), scaled(q[1], 0), scaled(q[2], 0),
-                    scaled(q[3], 1), scaled(q[4], 1), scaled(q[5], 2)};
+        const auto scaled = [&](double x, int times, int power) {
+            return std::ldexp(x, -quadratic - times * exponent + power);
+        };
+        const auto in_units = [&](Units by) {
+            return Equation{scaled(q[0], 0, 2 * by.x), scaled(q[1], 0, by.x + by.y),
+                            scaled(q[2], 0, 2 * by.y), scaled(q[3], 1, by.x),
+                            scaled(q[4], 1, by.y),     scaled(q[5], 2, 0)};
+        };
+        equation = in_units({});
+        const int mixed = exponent_of(q[1]) - quadratic;
+        const auto missing = [&](double square, double first) {
+            return stretch_for(exponent_of(square) - quadratic, mixed,
+                               exponent_of(first) - quadratic - exponent);
+        };
+        stretch = {missing(q[0], q[3]), missing(q[2], q[4])};
+        stretched = in_units(stretch);
+    }
+
+    // The power that brings the coefficient of a square near 1, and those of the other terms with the same
+    // coordinate to sizes whose products do not overflow. 0 if there is no such square, or it is not small.
+    static int stretch_for(int square, int mixed, int first) noexcept {
+        constexpr int small = -500, large = 300, absent = -5000;
+        return square > small || square < absent
+                   ? 0
+                   : std::max(std::min({-square / 2, -mixed, large - first}), 0);
     }
 };
 
@@ -89,14 +122,14 @@ struct Principal {
 };
 
 // For ellipses and hyperbolas: the quadratic part is value X^2 + other Y^2, with X along the principal
-// direction. at_centre: the value of the equation at the centre.
-void central_axes(const Equation &q, const Principal &principal, double four_ac, double at_centre,
-                  ConicAxes &axes) noexcept {
-    axes.origin[0] = difference_of_products(q.b, q.e, 2 * q.c, q.d) / four_ac;
-    axes.origin[1] = difference_of_products(q.b, q.d, 2 * q.a, q.e) / four_ac;
-    const double other = four_ac / 4 / principal.value;
+// direction. q: the equation in stretched units. at_centre: its value at the centre.
+void central_axes(const Equation &q, Units stretch, const Principal &principal, double four_ac,
+                  double at_centre, ConicAxes &axes) noexcept {
+    axes.origin[0] = std::ldexp(difference_of_products(q.b, q.e, 2 * q.c, q.d) / four_ac, stretch.x);
+    axes.origin[1] = std::ldexp(difference_of_products(q.b, q.d, 2 * q.a, q.e) / four_ac, stretch.y);
+    const double other = four_ac / 4 / principal.value; // only the unit of Y can be stretched
     const double along = std::sqrt(std::abs(at_centre / principal.value));
-    const double across = std::sqrt(std::abs(at_centre / other));
+    const double across = std::ldexp(std::sqrt(std::abs(at_centre / other)), stretch.x + stretch.y);
     // Whether the longer axis, or the one with the vertices, is Y.
     const bool turned = four_ac > 0 ? along < across : at_centre > 0;
     axes.sizes[0] = turned ? across : along;
@@ -139,12 +172,13 @@ bool find_conic_axes(const double *coefficients, ConicAxes &axes) noexcept {
         return false;
     }
     const Scaled scaled(coefficients);
-    Equation q = scaled.equation;
+    Equation q = scaled.equation, stretched = scaled.stretched;
     if (q.a + q.c < 0) {
-        q = {-q.a, -q.b, -q.c, -q.d, -q.e, -q.f};
+        q = -q;
+        stretched = -stretched;
     }
     const int sign = discriminant_sign(coefficients);
-    const TripleProducts determined = determinant(q);
+    const TripleProducts determined = determinant(stretched);
     const double determinant = determined.sum.value();
     if (determined.vanishes() || (sign > 0 && determinant > 0)) {
         return false;
@@ -152,8 +186,8 @@ bool find_conic_axes(const double *coefficients, ConicAxes &axes) noexcept {
     if (sign == 0) {
         parabola_axes(q, axes);
     } else {
-        const double four_ac = difference_of_products(4 * q.a, q.c, q.b, q.b);
-        central_axes(q, Principal(q), four_ac, determinant / four_ac, axes);
+        const double four_ac = difference_of_products(4 * stretched.a, stretched.c, stretched.b, stretched.b);
+        central_axes(stretched, scaled.stretch, Principal(q), four_ac, determinant / four_ac, axes);
     }
     axes.type = sign > 0 ? conic_ellipse : sign == 0 ? conic_parabola : conic_hyperbola;
     for (double *x : {&axes.origin[0], &axes.origin[1], &axes.sizes[0], &axes.sizes[1]}) {

@@ -2,6 +2,8 @@
 /* Features of shapes: known ones, the query of lengths, and what is refused. */
 #include "shapes.h"
 
+#include <float.h>
+
 static void features(void) {
     nurbs *g = make(arch()); /* symmetric about t = 1/2: one maximum of curvature there */
     double params[4], values[4];
@@ -164,6 +166,50 @@ static void periodic_contact(void) {
     CHECK_OK(nurbs_boundary_contacts(g, 0, closed, gaps, NULL, NULL));
     CHECK(closed[0] == 1 && gaps[0] == 0 && closed[1] == 0);
     nurbs_destroy(g);
+}
+
+/* An end that is not clamped is rounded: (1 + (1 + eps)) / 2 becomes 1, as the other end is, and as the other
+ * end of that boundary of the surface is. */
+static void unclamped_contacts(void) {
+    const double points[] = {1, 1, 1 + DBL_EPSILON, 1, 1, 3, 1, 1, 1, 1},
+                 column[] = {1, 1 + DBL_EPSILON, 1 - 2 * DBL_EPSILON, 1, 1},
+                 knots[] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 0, 1, 1};
+    const int32_t degrees[] = {2, 1};
+    const int64_t counts[] = {5, 2};
+    double gaps[2], sizes[4];
+    int32_t closed[2], collapsed[4];
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create(1, degrees, counts, knots, 8, 1, column, 0, 0, NULL, 0, 0, &g));
+    CHECK_OK(nurbs_boundary_contacts(g, 1e-13, closed, gaps, NULL, NULL));
+    CHECK(closed[0] == 1 && gaps[0] >= DBL_EPSILON / 2);
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 12, 1, points, 0, 0, NULL, 0, 0, &g));
+    CHECK_OK(nurbs_boundary_contacts(g, 1e-13, closed, gaps, collapsed, sizes));
+    CHECK(closed[0] == 1 && gaps[0] >= DBL_EPSILON / 2);
+    CHECK(closed[1] == 0 && gaps[1] >= 1);
+    CHECK(collapsed[0] == 1 && sizes[0] >= DBL_EPSILON / 4);
+    nurbs_destroy(g);
+}
+
+/* Weights of both signs magnify the rounding at ends that are not clamped: x = 3 w(t) / w(t) = 3 at the start,
+ * where w(t) is 2^-20 of the weights, and what is computed there at the end. */
+static void cancelling_contacts(void) {
+    const int32_t degree = 2;
+    const int64_t count = 5;
+    for (int i = 0; i < 20; ++i) {
+        const double knots[] = {0, 1, 2, 3.1 + i / 16.0, 4.5, 5, 6, 7}, share = 1 / (knots[3] - 1);
+        const double w = (float)((1 - share) / share * (1 + 0x1p-20)); /* 3 w is exact, too */
+        double records[] = {-3, -1, 3 * w, w, 3, 1, 3, 1, 3, 1}, start = 0, gap = 0;
+        nurbs *g = NULL;
+        CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 8, 1, records, 0, 0, 0, &g));
+        CHECK_OK(nurbs_eval(g, 1, &knots[2], 0, 0, &start, 0, 0, 0));
+        nurbs_destroy(g);
+        records[6] = records[8] = start;
+        CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 8, 1, records, 0, 0, 0, &g));
+        CHECK_OK(nurbs_boundary_contacts(g, 1, NULL, &gap, NULL, NULL));
+        CHECK(gap >= fabs(start - 3));
+        nurbs_destroy(g);
+    }
 }
 
 static void monotone_pieces(void) {
@@ -389,6 +435,8 @@ int main(void) {
     fold_between_poles();
     singular_between_pieces();
     periodic_contact();
+    unclamped_contacts();
+    cancelling_contacts();
     monotone_pieces();
     other_shapes();
     a_point();

@@ -46,6 +46,40 @@ static void kinds(void) {
     CHECK_INT(a.type, NURBS_CONIC_PARABOLA);
 }
 
+/* Ellipses and hyperbolas whose axes differ by more than the range of a double has powers of two for their
+ * squares: with axes of 1e-100 and 1e100, A / C = 1e400. */
+static void long_and_thin(void) {
+    static const double tilt = 0x1p-330;
+    Axes a;
+    for (int power = 10; power <= 330; power += 40) {
+        const double s = ldexp(1, power);
+        for (int side = -1; side <= 1; side += 2) { /* s^2 x^2 + side y^2 / s^2 = 1, and x and y exchanged */
+            CHECK_OK(try_axes(EQUATION(s * s, 0, side / s / s, 0, 0, -1), &a));
+            CHECK_INT(a.type, side > 0 ? NURBS_CONIC_ELLIPSE : NURBS_CONIC_HYPERBOLA);
+            CHECK_NEAR(a.sizes, ((const double[]){side > 0 ? s : 1 / s, side > 0 ? 1 / s : s}), 2, 1e-15 * s);
+            CHECK_NEAR(&a.sizes[side > 0], &(double){1 / s}, 1, 1e-15 / s);
+            CHECK_DOUBLES(a.x, ((const double[]){side<0, side> 0}), 2);
+            CHECK_OK(try_axes(EQUATION(side / s / s, 0, s * s, 0, 0, -1), &a));
+            CHECK_NEAR(&a.sizes[side > 0], &(double){1 / s}, 1, 1e-15 / s);
+            CHECK_NEAR(&a.sizes[side < 0], &(double){s}, 1, 1e-15 * s);
+            CHECK_DOUBLES(a.x, ((const double[]){side > 0, side < 0}), 2);
+        }
+        /* about (3 / s, 5 s): s^2 (x - 3 / s)^2 + (y / s - 5)^2 = 1 */
+        CHECK_OK(try_axes(EQUATION(s * s, 0, 1 / s / s, -6 * s, -10 / s, 33), &a));
+        CHECK_NEAR(&a.origin[0], &(double){3 / s}, 1, 1e-14 / s);
+        CHECK_NEAR(&a.origin[1], &(double){5 * s}, 1, 1e-14 * s);
+        CHECK_NEAR(&a.sizes[0], &(double){s}, 1, 1e-13 * s);
+        CHECK_NEAR(&a.sizes[1], &(double){1 / s}, 1, 1e-13 / s);
+    }
+    /* (x / t + y t)^2 + y^2 t^2 = 1 */
+    CHECK_OK(try_axes(EQUATION(1 / tilt / tilt, 2, 2 * tilt * tilt, 0, 0, -1), &a));
+    CHECK_INT(a.type, NURBS_CONIC_ELLIPSE);
+    CHECK_NEAR(&a.sizes[0], &(double){1 / tilt}, 1, 1e-15 / tilt);
+    CHECK_NEAR(&a.sizes[1], &tilt, 1, 1e-15 * tilt);
+    CHECK_NEAR(&a.x[0], &(double){tilt * tilt}, 1, 1e-15 * tilt * tilt);
+    CHECK_DOUBLE(a.x[1], -1);
+}
+
 static void bad_input(void) {
     static const double circle[] = {1, 0, 1, 0, 0, -4};
     Axes a;
@@ -75,6 +109,7 @@ static void bad_input(void) {
 
 int main(void) {
     kinds();
+    long_and_thin();
     bad_input();
     return check_summary("conic_axes");
 }

@@ -76,6 +76,38 @@ static void closed_by_their_knots(void) {
     nurbs_destroy(g);
 }
 
+/* A closed chain takes a start for each end: one start within the tolerance of two ends is not enough. Where
+ * several chains pass through a point, or ends have several starts in reach, there is one for each in some
+ * order. */
+static void one_start_for_each_end(void) {
+    static const double knots[] = {0, 0, 1, 2, 2};
+    static const int32_t degree = 1;
+    static const int64_t count = 3;
+    static const double tails[] = {5, 5, 3, 3, 1, 0}, left[] = {0, 0, 1, 1, 1, 0},
+                        right[] = {1.5, 0, 1, -1, -0.5, 0};
+    double area = 0;
+    nurbs *g[2] = {make(circle()), NULL};
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 5, 2, tails, 0, 0, NULL, 0, 0, &g[1]));
+    const nurbs *const *curves = (const nurbs *const *)g;
+    CHECK_FAILS(nurbs_enclosed_area(2, curves, 1e-9, 0, &area, NULL, NULL, NULL), NURBS_ERROR_GAP,
+                "curves[1] ends|more|1e-09");
+    nurbs_destroy(g[1]);
+    g[1] = make(circle());
+    CHECK_OK(nurbs_enclosed_area(2, curves, 1e-9, 1e-12, &area, NULL, NULL, NULL));
+    CHECK_NEAR(&area, &(double){2 * PI}, 1, 1e-13);
+    for (int i = 0; i < 2; ++i) {
+        nurbs_destroy(g[i]);
+    }
+    /* ends at 1 and -0.5, starts at 0 and 1.5: in reach of 1 are both, in reach of -0.5 is only 0 */
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 5, 2, left, 0, 0, NULL, 0, 0, &g[0]));
+    CHECK_OK(nurbs_create(1, &degree, &count, knots, 5, 2, right, 0, 0, NULL, 0, 0, &g[1]));
+    CHECK_OK(nurbs_enclosed_area(2, curves, 1, 1e-12, &area, NULL, NULL, NULL));
+    CHECK_FAILS(nurbs_enclosed_area(2, curves, 0.375, 0, &area, NULL, NULL, NULL), NURBS_ERROR_GAP,
+                "curves[0] ends 0.5");
+    nurbs_destroy(g[0]);
+    nurbs_destroy(g[1]);
+}
+
 static void divisions(void) {
     double params[5], size;
     nurbs *g = make(circle());
@@ -318,6 +350,7 @@ int main(void) {
     lengths();
     strides();
     closed_by_their_knots();
+    one_start_for_each_end();
     divisions();
     divided_before_a_jump();
     areas();

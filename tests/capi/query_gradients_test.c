@@ -185,6 +185,27 @@ typedef struct Length {
         CHECK_UNTOUCHED(queries);                                                                            \
     } while (0)
 
+/* A half circle of radius 1 whose middle control point is at infinity: the weight gradient of that one is
+ * infinite, too. With the angle a, dL/dP_0 is the integral of sin(a) / 2 (sin(a), -cos(a)). */
+static void length_of_a_half_circle(void) {
+    static const double records[] = {1, 0, 1, 0, 1, 0, -1, 0, 1}, knots[] = {0, 0, 0, 1, 1, 1};
+    static const double quarter = 0.78539816339744831,
+                        expected[] = {0.78539816339744831, 0, 0, 0, -0.78539816339744831, 0};
+    static const int32_t degree = 2;
+    static const int64_t count = 3;
+    double points[6], weights[3];
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 6, 2, records, 0, 0, 0, &g));
+    CHECK_OK(nurbs_length_adjoint(g, NULL, 1e-12, 1, points, 0, 0, NULL, 0, NULL, 0));
+    CHECK_NEAR(points, expected, 6, 1e-12 * quarter);
+    FILL(weights);
+    CHECK_FAILS(nurbs_length_adjoint(g, NULL, 1e-12, 1, points, 0, 0, weights, 0, NULL, 0),
+                NURBS_ERROR_NOT_REPRESENTABLE, "gradient");
+    CHECK_UNTOUCHED(weights);
+    CHECK_OK(nurbs_length_adjoint(g, NULL, 1e-12, 1, NULL, 0, 0, NULL, 0, NULL, 0));
+    nurbs_destroy(g);
+}
+
 static void bad_lengths(void) {
     static const double reversed[] = {0.5, 0.25}, beyond[] = {0, 2}, strange[] = {0, NAN};
     nurbs *g = make(arch());
@@ -211,6 +232,7 @@ int main(void) {
     bad_feet();
     length_of_an_arch();
     length_of_a_segment();
+    length_of_a_half_circle();
     bad_lengths();
     return check_summary("query_gradients");
 }

@@ -143,7 +143,7 @@ private:
             result.values.push_back(values[j].value());
             result.errors.push_back(errors[j].value());
         }
-        error_ = result.errors[0];
+        error_ = worst(result.errors);
         result.size = magnitude_;
         result.rounding = 64 * eps * magnitude_ + off_ * spread_;
         return result;

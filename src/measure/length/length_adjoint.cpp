@@ -40,8 +40,9 @@ struct Scale {
 
 class SpanGradients {
 public:
-    SpanGradients(const Spline &curve, int64_t span)
-        : curve_(active_part(curve, {span})), count_(curve_->point_count()), dim_(curve_->dim()) {}
+    SpanGradients(const Spline &curve, int64_t span, bool weights)
+        : curve_(active_part(curve, {span})), count_(curve_->point_count()), dim_(curve_->dim()),
+          weights_(weights) {}
 
     [[nodiscard]] int64_t count() const noexcept { return count_; }
     [[nodiscard]] double weight(int64_t i) const noexcept { return curve_->weight(i); }
@@ -65,15 +66,15 @@ public:
         std::vector<double> derivs(static_cast<size_t>(all * width));
         eval::evaluate_points(*curve_, {}, 1, at, {derivs.data(), all, width, width, 1});
         RuleGradient result{std::vector<double>(static_cast<size_t>(count_ * dim_)),
-                            std::vector<double>(static_cast<size_t>(count_))};
+                            std::vector<double>(static_cast<size_t>(weights_ ? count_ : 0))};
         result.least_cosine = least_cosine(derivs);
         for (int i = 0; i < all; ++i) {
             const double weight = i == 0 || i > n ? 0 : rule_weights(level)[i - 1];
             result.length += make_cotangent(derivs.data() + i * width, weight * (part.upper - part.lower));
         }
-        eval::evaluate_adjoint(
-            *curve_, {}, 1, at, {derivs.data(), all, width, width, 1}, false,
-            {{result.points.data(), count_, dim_, dim_, 1}, {result.weights.data(), count_, 1, 1, 1}, {}});
+        const Records weights = weights_ ? Records{result.weights.data(), count_, 1, 1, 1} : Records{};
+        eval::evaluate_adjoint(*curve_, {}, 1, at, {derivs.data(), all, width, width, 1}, false,
+                               {{result.points.data(), count_, dim_, dim_, 1}, weights, {}});
         return result;
     }
 
@@ -126,16 +127,17 @@ private:
     SplinePtr curve_;
     int64_t count_;
     int dim_;
+    bool weights_;
 };
 
 // Sums the gradients of the spans in the range to those of the whole curve.
 class LengthAdjoint {
 public:
-    LengthAdjoint(const Spline &curve, Interval range, double tolerance)
-        : curve_(curve), range_(range), tolerance_(std::max(tolerance, rounding)),
+    LengthAdjoint(const Spline &curve, Interval range, double tolerance, bool weights)
+        : curve_(curve), range_(range), tolerance_(std::max(tolerance, rounding)), weights_(weights),
           errors_(static_cast<size_t>(curve.point_count())) {
         result_.points.resize(static_cast<size_t>(curve.point_count() * curve.dim()));
-        result_.weights.resize(static_cast<size_t>(curve.point_count()));
+        result_.weights.resize(weights ? errors_.size() : 0);
     }
 
     LengthGradient run() {
@@ -165,7 +167,7 @@ private:
         std::vector<double> points(result_.points.size());
         int64_t work_of_a_part = 1;
         for_each_span([&](int64_t span, Interval part) {
-            const SpanGradients gradients(curve_, span);
+            const SpanGradients gradients(curve_, span, weights_);
             const RuleGradient found = gradients.rule(part, low_level);
             add(found.points, (span - curve_.axis(0).degree()) * curve_.dim(), points);
             length_ += found.length;
@@ -203,7 +205,7 @@ private:
 
     // The error in one span affects the gradients of p + 1 control points, each of which has p + 1 spans.
     void run_span(int64_t span, Interval whole) {
-        const SpanGradients gradients(curve_, span);
+        const SpanGradients gradients(curve_, span, weights_);
         const double allowed = tolerance_ / (2 * static_cast<double>(gradients.count()));
         std::vector<GradientPart> parts{{whole, 0}};
         while (!parts.empty()) {
@@ -231,14 +233,15 @@ private:
         const int64_t first = span - curve_.axis(0).degree();
         add(found.points, first * curve_.dim(), result_.points);
         add(found.weights, first, result_.weights);
-        for (size_t i = 0; i < found.weights.size(); ++i) {
-            errors_[static_cast<size_t>(first) + i] += error;
+        for (int64_t i = first; i <= span; ++i) {
+            errors_[static_cast<size_t>(i)] += error;
         }
     }
 
     const Spline &curve_;
     Interval range_;
     double tolerance_;
+    bool weights_;
     std::vector<double> errors_; // of the gradient for each control point
     LengthGradient result_;
     double longest_ = 0;
@@ -248,8 +251,8 @@ private:
 
 } // namespace
 
-LengthGradient length_gradient(const Spline &curve, Interval range, double relative_tolerance) {
-    LengthGradient result = LengthAdjoint(curve, range, relative_tolerance).run();
+LengthGradient length_gradient(const Spline &curve, Interval range, double relative_tolerance, bool weights) {
+    LengthGradient result = LengthAdjoint(curve, range, relative_tolerance, weights).run();
     const auto finite = [](double x) { return std::isfinite(x); };
     if (!std::all_of(result.points.begin(), result.points.end(), finite) ||
         !std::all_of(result.weights.begin(), result.weights.end(), finite)) {

@@ -13,12 +13,13 @@ namespace nrb::measure {
 // the points, relative to the longest dL/dP_i, and that of the weights, relative to L / w_i.
 struct LengthGradient {
     std::vector<double> points;  // [count][dim]
-    std::vector<double> weights; // [count]
+    std::vector<double> weights; // [count], or empty if they are not wanted
     double error = 0;
 };
 
-// dL = integral of <T, dC'>, where T is the unit tangent. Where the curve stands still, T counts as 0. Throws
+// dL = integral of <T, dC'>, where T is the unit tangent. Where the curve stands still, T counts as 0.
+// weights: whether dL/dw_i are wanted, too; those of a control point at infinity are infinite. Throws
 // Status::not_converged, not_representable. Precondition: a curve, with the range inside its domain.
-LengthGradient length_gradient(const Spline &curve, Interval range, double relative_tolerance);
+LengthGradient length_gradient(const Spline &curve, Interval range, double relative_tolerance, bool weights);
 
 } // namespace nrb::measure

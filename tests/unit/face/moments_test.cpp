@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Areas and centroids of faces against closed forms.
+#include "face/integrals/face_integral.h"
 #include "face/integrals/face_moments.h"
+#include "measure/elements.h"
 
 #include "face_shapes.h"
 
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace {
@@ -150,6 +153,38 @@ TEST(FaceMoments, OfLoopsAlongBothSidesOfASeam) {
                     1e-7);
         EXPECT_NEAR(area({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, as_oriented), total, 1e-7);
         EXPECT_NEAR(area({{0.3, 0.7}, {1.3, 0.7}, {1.3, 1.7}, {0.3, 1.7}}, as_oriented), total, 1e-7);
+    }
+}
+
+// The area element, and a multiple of it with a step that no rule integrates.
+class Step : public measure::Integrand {
+public:
+    explicit Step(double at) : at_(at) {}
+
+    [[nodiscard]] int64_t values() const noexcept override { return 2; }
+    [[nodiscard]] int degree(int) const noexcept override { return -1; }
+    void operator()(const double *place, const double *d, double *out) const noexcept override {
+        out[0] = d[0] * d[4] - d[1] * d[3];
+        out[1] = place[0] > at_ ? 16 * out[0] : 0;
+    }
+
+private:
+    double at_;
+};
+
+// An integral has converged if all of its values have: at 1/3, which no number of halvings reaches, the first
+// one is exact and the second one is not.
+TEST(FaceMoments, ConvergeInAllValuesOrInNone) {
+    const Face face({plane(), {loop_of({circle({0.5, 0.5}, 0.4)})}, 1e-12}, nullptr);
+    const pieces::Frame frame = measure::integral_frame(*face.surface());
+    const face::TrimmedSurface own{face.surface().get(), &face.trims()};
+    const Step step(frame.coordinate(0, 1. / 3));
+    for (const double tolerance : {1e-6, 1e-15}) {
+        const measure::Integrals found = face::integrate({&own, 1}, step, frame, tolerance);
+        const double allowed = std::max(tolerance * found.values[0], found.rounding);
+        EXPECT_LE(found.errors[0], allowed);
+        EXPECT_EQ(found.converged, found.errors[1] <= allowed) << found.errors[1] / allowed;
+        EXPECT_EQ(found.converged, tolerance == 1e-6);
     }
 }
 
