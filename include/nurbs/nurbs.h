@@ -6838,7 +6838,7 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  * \param[in] count number of constraints, > 0.
  * \param[in] kinds [count] or NULL for all VALUE: NURBS_CONSTRAIN_ constants.
  * \param[in] orders [count][axes] or NULL for all 0, DIRECTION of a curve 1: orders of the derivatives
- *   (VALUE, DIRECTION), else 0.
+ *   (VALUE, DIRECTION), else 0. Those of a constraint add up to NURBS_MAX_ORDER at most.
  * \param[in] params [count][axes] parameters; a knot belongs to the span above it.
  * \param[in] targets [count][dim].
  * \param[in] keep [axes][2] or NULL for none: highest order of derivatives that stay at the start and end of
