@@ -112,7 +112,6 @@ static void flatten(void) {
     nurbs_destroy(g);
 }
 
-/* A segment of length pi bent to a half circle of radius 1. */
 /* A region up to an end of the domain holds the end, clamped or not. */
 static void flatten_to_an_end(void) {
     for (int open = 0; open < 2; ++open) {
@@ -152,6 +151,51 @@ static void flatten_records(void) {
     nurbs_destroy(g);
 }
 
+typedef struct Bend {
+    double origin, curvature, lower, upper; /* along X and across Y, about (origin, 0) */
+} Bend;
+
+/* The distance of (x, y) from the exact image of (a, b). */
+static long double off_the_bend(const Bend *r, double a, double b, const double *got) {
+    const long double k = r->curvature, along = (long double)a - r->origin,
+                      u = along < r->lower   ? r->lower
+                          : along > r->upper ? r->upper
+                                             : along,
+                      turn = k * u, far = along - u;
+    const long double x = (1 / k + b) * sinl(turn) + far * cosl(turn),
+                      y = b * cosl(turn) - 2 / k * sinl(turn / 2) * sinl(turn / 2) - far * sinl(turn);
+    return hypotl(got[0] - r->origin - x, got[1] - y);
+}
+
+/* What is proven of the bend of a segment holds. */
+static void check_bound(const Bend *r, const double *ends, double tolerance) {
+    static const int32_t line = 1;
+    nurbs *g = NULL, *h = NULL;
+    double deviation = -1, at[2];
+    int32_t proven = -1;
+    CHECK_OK(nurbs_create_bezier(1, &line, 2, ends, 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_bend(g, VALUES(r->origin, 0), VALUES(1, 0), VALUES(0, 1), r->curvature, r->lower, r->upper,
+                        tolerance, &deviation, &proven, &h));
+    for (int i = 0; i <= 16; ++i) {
+        const double t = i / 16.0, a = ends[0] + t * (ends[2] - ends[0]),
+                     b = ends[1] + t * (ends[3] - ends[1]);
+        point_at(h, t, at);
+        CHECK(proven == 0 || off_the_bend(r, a, b, at) <= deviation);
+    }
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* Rounding of coordinates far from 0, of large angles, and of a centre of rotation far away. */
+static void bends_off_by_rounding(void) {
+    const Bend far = {1e10, 1, -INFINITY, INFINITY}, sharp = {0, 3e8, -INFINITY, INFINITY},
+               before = {0, 1e-12, 1e12, 2e12};
+    check_bound(&far, VALUES(1e10 + 1, 0, 1e10 + 1, 1), 1e-5);
+    check_bound(&sharp, VALUES(0.1, 0, 0.1, 1), 1e-6);
+    check_bound(&before, VALUES(0, 0, 1, 0), 1e-2);
+}
+
+/* A segment of length pi bent to a half circle of radius 1. */
 static void bend(void) {
     static const int32_t degree = 3;
     const double pi = 3.14159265358979312;
@@ -386,6 +430,7 @@ int main(void) {
     flatten_to_an_end();
     flatten_records();
     bend();
+    bends_off_by_rounding();
     free_form();
     fair();
     fair_with_weights();
