@@ -6945,7 +6945,7 @@ NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const dou
  * \param[in] normal [dim] its normal.
  * \param[in] direction [dim] or NULL for the normal: direction of projection.
  * \param[out] moved or NULL: largest distance by which a control point moved, which bounds that of the shape
- *   if all weights are >= 0.
+ *   if all weights are >= 0; infinite if a control point at infinity moved.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE, _PERIODIC_KNOTS; _DIRECTION if the
  *   normal or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE,

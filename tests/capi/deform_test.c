@@ -112,6 +112,41 @@ static void flatten(void) {
     nurbs_destroy(g);
 }
 
+/* A control point at infinity moves infinitely far: this half circle moves from (0, 1) to (0, 0). */
+static void flatten_infinite_points(void) {
+    const double knots[] = {0, 0, 0, 1, 1, 1}, records[] = {1, 0, 1, 0, 1, 0, -1, 0, 1};
+    const int64_t count = 3;
+    nurbs *g = NULL, *h = NULL;
+    double moved = 0, at[2];
+    CHECK_OK(nurbs_create_homogeneous(1, INTS(2), &count, knots, 6, 2, records, 0, 0, 0, &g));
+    CHECK_OK(nurbs_flatten(g, NULL, VALUES(0, 0), VALUES(0, 1), NULL, &moved, &h));
+    point_at(h, 0.5, at);
+    CHECK(at[1] == 0 && moved >= 1);
+    nurbs_destroy(h);
+    CHECK_OK(nurbs_flatten(g, NULL, VALUES(1, 0), VALUES(1, 0), NULL, &moved, &h)); /* the other two move */
+    CHECK(moved == 2);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* Directions whose length overflows, or its square underflows. */
+static void long_directions(void) {
+    nurbs *g = make(arch()), *h = NULL;
+    double at[2];
+    for (int i = 0; i < 2; ++i) {
+        const double size = i == 0 ? 1.5e308 : 1e-320, direction[] = {-size, size};
+        CHECK_OK(nurbs_warp(g, NULL, direction, sqrt(2), 2, &h));
+        point_at(h, 0.5, at);
+        CHECK_NEAR(at, VALUES(1, 2.5), 2, 1e-13);
+        nurbs_destroy(h);
+        CHECK_OK(nurbs_flatten(g, NULL, VALUES(0, 1), direction, direction, NULL, &h));
+        point_at(h, 0, at);
+        CHECK_NEAR(at, VALUES(-0.5, 0.5), 2, 1e-13);
+        nurbs_destroy(h);
+    }
+    nurbs_destroy(g);
+}
+
 /* A region up to an end of the domain holds the end, clamped or not. */
 static void flatten_to_an_end(void) {
     for (int open = 0; open < 2; ++open) {
@@ -429,6 +464,8 @@ int main(void) {
     flatten();
     flatten_to_an_end();
     flatten_records();
+    flatten_infinite_points();
+    long_directions();
     bend();
     bends_off_by_rounding();
     free_form();
