@@ -375,6 +375,20 @@ static void fair_with_weights(void) {
     nurbs_destroy(g);
 }
 
+/* An infinite tolerance also allows what has no bound: this curve goes to infinity where its weight is 0. */
+static void fair_without_a_tolerance(void) {
+    const double records[] = {0, 0, 1, 1, 2, 1, -6, -12, -3, 3, 1, 1, 4, 3, 1, 5, 0, 1};
+    const double knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    double energies[2], bound = -1;
+    nurbs *g = NULL, *h = NULL;
+    const int64_t count = 6;
+    CHECK_OK(nurbs_create_homogeneous(1, INTS(3), &count, knots, 10, 2, records, 0, 0, 0, &g));
+    CHECK_OK(nurbs_fair(g, 2, NULL, INFINITY, energies, &bound, &h));
+    CHECK(energies[1] < 1e-9 * energies[0] && bound > 0);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
 /* The square along one axis of a volume: the integral of 2^2, whichever axis it is. */
 static void energy_of_a_volume(void) {
     for (int32_t axis = 0; axis < 3; ++axis) {
@@ -471,6 +485,7 @@ int main(void) {
     free_form();
     fair();
     fair_with_weights();
+    fair_without_a_tolerance();
     energy_of_a_volume();
     snap_boundary();
     return check_summary("deform");
