@@ -324,6 +324,27 @@ static void free_form(void) {
     nurbs_destroy(v);
 }
 
+/* Parameters are rounded like 1e8, and what is proven says so: V(1e8 + x, 1e8 + y) = (x, y). */
+static void free_form_far_away(void) {
+    static const int32_t degrees[] = {1, 1}, line = 1;
+    static const int64_t counts[] = {2, 2};
+    static const double ends[] = {0.1, 0.3, 0.7, 0.9}, net[] = {0, 0, 0, 1, 1, 0, 1, 1};
+    static const double knots[] = {1e8, 1e8, 1e8 + 1, 1e8 + 1, 1e8, 1e8, 1e8 + 1, 1e8 + 1};
+    nurbs *g = NULL, *v = NULL, *h = NULL;
+    double deviation = -1, at[2];
+    int32_t proven = -1;
+    CHECK_OK(nurbs_create_bezier(1, &line, 2, ends, 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 8, 2, net, 0, 0, NULL, 0, 0, &v));
+    CHECK_OK(nurbs_free_form_deform(g, v, VALUES(0, 0), VALUES(1, 1), 1e-5, &deviation, &proven, &h));
+    for (int i = 0; i < 2; ++i) {
+        point_at(h, i, at);
+        CHECK(proven == 1 && hypot(at[0] - ends[2 * i], at[1] - ends[2 * i + 1]) <= deviation);
+    }
+    nurbs_destroy(h);
+    nurbs_destroy(v);
+    nurbs_destroy(g);
+}
+
 static void fair(void) {
     static const double points[] = {0, 0, 1, 1, 2, -1, 3, 1, 4, -1, 5, 1, 6, 0};
     static const int32_t degree = 3;
@@ -483,6 +504,7 @@ int main(void) {
     bend();
     bends_off_by_rounding();
     free_form();
+    free_form_far_away();
     fair();
     fair_with_weights();
     fair_without_a_tolerance();
