@@ -494,6 +494,19 @@ static void snap_boundary(void) {
     nurbs_destroy(g);
 }
 
+/* Where a weight of the other boundary is 0, the one next to it would be that of a difference. */
+static void snap_to_a_weight_of_0(void) {
+    static const int32_t degrees[] = {1, 2};
+    const double net[] = {0, 0, 0, 0, 1, 1, 0, 2, 0, 1, 0, 0, 1, 1, 1, 1, 2, 0};
+    nurbs *g = NULL, *f = NULL, *h = NULL;
+    CHECK_OK(nurbs_create_bezier(2, degrees, 3, net, 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_create_bezier(2, degrees, 3, net, 0, 0, VALUES(1, 0, 1, 1, 1, 1), 0, &f));
+    CHECK_NO_HANDLE(h, nurbs_snap_boundary(g, 0, NURBS_END, f, 0, NURBS_START, 1, 0, NULL, &h),
+                    NURBS_ERROR_WEIGHT_SIGN, "next to the boundary");
+    nurbs_destroy(f);
+    nurbs_destroy(g);
+}
+
 int main(void) {
     warp();
     flatten();
@@ -510,5 +523,6 @@ int main(void) {
     fair_without_a_tolerance();
     energy_of_a_volume();
     snap_boundary();
+    snap_to_a_weight_of_0();
     return check_summary("deform");
 }
