@@ -56,6 +56,7 @@ nurbs_status nurbs_oriented_box(const nurbs *g, double tolerance, double *center
         require(center, "center");
         require(axes, "axes");
         require(half, "half");
+        check_dimension(spline, 1, bounds::max_box_dimension);
         const int64_t dim = spline.dim();
         check_apart(
             {memory("center", center, dim), memory("axes", axes, dim * dim), memory("half", half, dim)}, {});

@@ -18,7 +18,7 @@ template <class Write>
 void give_bytes(size_t needed, int64_t cap, void *bytes, int64_t *length, Write &&write) {
     const auto size = static_cast<int64_t>(needed);
     if (checked_cap(cap, size) > 0 && bytes != nullptr) {
-        check_apart({{"bytes", bytes, cap}, memory("length", length, 1)}, {});
+        check_apart({{"bytes", bytes, size}, memory("length", length, 1)}, {});
         write(std::span(static_cast<unsigned char *>(bytes), needed));
     }
     put(length, size);

@@ -67,7 +67,7 @@ struct FeetArrays {
         outputs.check("points", batch.points);
     }
 
-    // Calls fill(outputs), which writes results as it finds them, and commits those that were staged.
+    // Calls fill(outputs), which writes results as it finds them, and commits them.
     template <class Fill>
     void fill(Fill &&fill) const {
         const StagedRecords params(feet.params), points(feet.feet), distances(feet.distances);

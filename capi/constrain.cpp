@@ -60,6 +60,7 @@ eval::Orders checked_orders(const GivenConstraints &given, int64_t i) {
         return orders;
     }
     const bool free = kind == NURBS_CONSTRAIN_VALUE || kind == NURBS_CONSTRAIN_DIRECTION;
+    int total = 0;
     for (int k = 0; k < axes; ++k) {
         const int32_t order = given.orders[i * axes + k];
         if (order < 0 || order > (free ? NURBS_MAX_ORDER : 0)) {
@@ -67,6 +68,11 @@ eval::Orders checked_orders(const GivenConstraints &given, int64_t i) {
                  free ? " to NURBS_MAX_ORDER" : " for this kind");
         }
         orders[static_cast<size_t>(k)] = order;
+        total += order;
+    }
+    if (total > NURBS_MAX_ORDER) {
+        fail(Status::order, "orders[%lld] add up to %d, expected at most %d", static_cast<long long>(i),
+             total, NURBS_MAX_ORDER);
     }
     return orders;
 }

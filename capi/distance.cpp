@@ -33,6 +33,13 @@ closest::FarthestPoint farthest(const Spline &from, const Spline &to, double tol
     return closest::one_sided_distance(from, to, tolerance, checked_budget(budget, default_far_budget));
 }
 
+// The same with half of the work that the caller's limit leaves; the rest is for the opposite direction.
+closest::FarthestPoint farthest_with_half(const Spline &from, const Spline &to, double tolerance,
+                                          int64_t budget) {
+    const PartOfWork half;
+    return farthest(from, to, tolerance, budget);
+}
+
 // Stores one parameter for each axis of the spline.
 void put_params(double *out, const std::array<double, max_axes> &params, const Spline &spline) noexcept {
     put_all(out, std::span(params).first(static_cast<size_t>(spline.axes())));
@@ -72,7 +79,7 @@ nurbs_status nurbs_hausdorff_distance(const nurbs *a, const nurbs *b, double tol
                      memory("params_a", params_a, first.axes()), memory("params_b", params_b, second.axes()),
                      memory("status", status, 1)},
                     {});
-        const closest::FarthestPoint there = farthest(first, second, tolerance, budget);
+        const closest::FarthestPoint there = farthest_with_half(first, second, tolerance, budget);
         const closest::FarthestPoint back = farthest(second, first, tolerance, budget);
         put_params(params_a, there.params, first);
         put_params(params_b, back.params, second);

@@ -52,15 +52,24 @@ struct LoopArrays {
     }
 };
 
-std::vector<face::Loop> loops_of(int64_t loops, const int64_t *sizes, const LoopArrays &arrays) {
-    std::vector<face::Loop> result;
-    int64_t next = 0;
+// The number of curves of all loops.
+int64_t curves_of(int64_t loops, const int64_t *sizes) {
+    int64_t total = 0;
     for (int64_t i = 0; i < loops; ++i) {
         if (sizes[i] < 1) {
             fail(Status::count, "sizes[%lld] = %lld, expected at least 1", static_cast<long long>(i),
                  static_cast<long long>(sizes[i]));
         }
-        checked_array(checked_sum(next, sizes[i], "sizes"), "curves");
+        total = checked_sum(total, sizes[i], "sizes");
+    }
+    return checked_array(total, "curves");
+}
+
+// Precondition: curves_of() accepts the sizes.
+std::vector<face::Loop> loops_of(int64_t loops, const int64_t *sizes, const LoopArrays &arrays) {
+    std::vector<face::Loop> result;
+    int64_t next = 0;
+    for (int64_t i = 0; i < loops; ++i) {
         face::Loop loop;
         for (const int64_t end = next + sizes[i]; next < end; ++next) {
             loop.push_back(arrays.coedge(next));
@@ -138,6 +147,10 @@ nurbs_status nurbs_face_create(const nurbs *surface, int64_t loops, const int64_
         }
         checked_array(loops, "sizes");
         check_apart({memory("gaps", gaps, loops)}, {memory("sizes", sizes, loops)});
+        const int64_t total = curves_of(loops, sizes);
+        check_apart(
+            {memory("gaps", gaps, loops)},
+            {memory("curves", curves, total), memory("edges", edges, total), memory("keys", keys, total)});
         face::FaceParts parts{surface->spline,
                               loops_of(loops, sizes, {*surface->spline, curves, edges, keys}), tolerance,
                               (flags & NURBS_AS_ORIENTED) != 0, (flags & NURBS_KEEP_GAPS) != 0};
@@ -186,7 +199,7 @@ nurbs_status nurbs_face_loops(const nurbs_face *face, int64_t cap, int64_t *size
         }
         check_length(cap, "cap");
         const int64_t used = checked_cap(cap, std::ssize(loops));
-        check_apart({memory("sizes", sizes, cap), memory("count", count, 1)}, {});
+        check_apart({memory("sizes", sizes, used), memory("count", count, 1)}, {});
         for (size_t i = 0; i < static_cast<size_t>(used); ++i) {
             sizes[i] = std::ssize(loops[i]);
         }

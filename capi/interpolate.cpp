@@ -219,8 +219,8 @@ fit::CurveConditions checked_conditions(int degree, int64_t n, const double *par
     require(targets.data, "targets");
     check_degree(degree, -1);
     check_at_least(n, 1, "n");
-    fit::CurveConditions given{
-        {params, params + n}, {}, {}, targets.dim, finite_points("targets", targets, n)};
+    fit::CurveConditions given{{}, {}, {}, targets.dim, finite_points("targets", targets, n)};
+    given.params.assign(params, params + n);
     given.orders.reserve(static_cast<size_t>(n));
     for (int64_t i = 0; i < n; ++i) {
         given.orders.push_back(checked_order(i, degree, params[i], orders == nullptr ? 0 : orders[i]));
@@ -268,7 +268,9 @@ nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim,
         check_finite("points", values, dim);
         check_rule(rule, exponent);
         require(params, "params");
-        check_overlap("params", output("params", params, sum_of(grid.counts), 1, 1, 1), "points", given);
+        const Records out = output("params", params, sum_of(grid.counts), 1, 1, 1);
+        check_overlap("params", out, "points", given);
+        check_overlap("params", params, out.count * 8, "counts", counts, axes * int64_t{8});
         const std::vector<double> made =
             fit::parametrize(grid, values, static_cast<fit::ParameterRule>(rule), exponent);
         std::copy(made.begin(), made.end(), params);

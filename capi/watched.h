@@ -33,8 +33,8 @@ nurbs_status watched(const nurbs_call_options *call, Handle **out, Body &&body) 
     return watched(call, body);
 }
 
-// Where a batch writes its results one after the other: to the caller's arrays or, if the call is watched and
-// may end before all is written, to a buffer, from which commit() copies them.
+// The buffer to which a batch writes its results one after the other, and from which commit() copies them to
+// the caller's array once all are known: any of them may run out of memory, or end a watched call.
 class StagedRecords {
 public:
     explicit StagedRecords(const Records &wanted);

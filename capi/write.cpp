@@ -61,11 +61,9 @@ void fill(std::span<unsigned char> out, const io::ByteSource &source) {
     });
 }
 
-// A watched call, which may end early, writes to the caller's array only when all bytes are known.
+// Writes to the caller's array only when all bytes are known: the source may run out of memory, and a watched
+// call may end early.
 void fill_whole(std::span<unsigned char> out, const io::ByteSource &source) {
-    if (Watch::current() == nullptr) {
-        return fill(out, source);
-    }
     std::vector<unsigned char> whole(out.size());
     fill(whole, source);
     std::ranges::copy(whole, out.begin());

@@ -2722,8 +2722,8 @@ NURBS_API nurbs_status nurbs_statistics_add_with(const nurbs_statistics *statist
  * \param[in] parts [count] handles that agree in degrees, breaks, dimension and scales.
  * \param[in] signs [count] or NULL for 1: 1 to add, -1 to subtract a part.
  * \param[out] out the new handle.
- * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT; _INCOMPATIBLE naming the first part that differs, _RULE for
- *   another sign, _COUNT also where more is subtracted from a cell than was added to it.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW; _INCOMPATIBLE naming the first part that differs,
+ *   _RULE for another sign, _COUNT also where more is subtracted from a cell than was added to it.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_statistics_merge(int64_t count, const nurbs_statistics *const *parts,
                                               const int32_t *signs, nurbs_statistics **out);
@@ -2747,7 +2747,7 @@ NURBS_API void nurbs_statistics_destroy(nurbs_statistics *statistics);
  * \param[out] count or NULL: number of data that count.
  * \param[out] cells or NULL: number of cells that hold any of them.
  * \param[out] weight or NULL: sum of the weights.
- * \return NURBS_OK, NURBS_ERROR_NULL.
+ * \return NURBS_OK, NURBS_ERROR_NULL, _OVERLAP.
  * \since 1.1 */
 NURBS_API nurbs_status nurbs_statistics_size(const nurbs_statistics *statistics, int32_t *axes, int32_t *dim,
                                              int64_t *count, int64_t *cells, double *weight);
@@ -3728,7 +3728,7 @@ NURBS_API nurbs_status nurbs_curve_parabola(int32_t dim, const double *vertex, c
  * \param[in] radius_x,radius_y semi-axes, > 0; the asymptotes are Y = +-(radius_y / radius_x) X.
  * \param[in] start,end values of u, start < end.
  * \param[out] out the new handle.
- * \return as for nurbs_curve_parabola().
+ * \return as for nurbs_curve_parabola(), but _NOT_REPRESENTABLE also if end - start overflows.
  * \since 1.0 */
 NURBS_API nurbs_status nurbs_curve_hyperbola(int32_t dim, const double *center, const double *axis,
                                              const double *x, double radius_x, double radius_y, double start,
@@ -6842,7 +6842,7 @@ NURBS_API nurbs_status nurbs_insert_at_point(const nurbs *g, int32_t axis, const
  * \param[in] count number of constraints, > 0.
  * \param[in] kinds [count] or NULL for all VALUE: NURBS_CONSTRAIN_ constants.
  * \param[in] orders [count][axes] or NULL for all 0, DIRECTION of a curve 1: orders of the derivatives
- *   (VALUE, DIRECTION), else 0.
+ *   (VALUE, DIRECTION), else 0. Those of a constraint add up to NURBS_MAX_ORDER at most.
  * \param[in] params [count][axes] parameters; a knot belongs to the span above it.
  * \param[in] targets [count][dim].
  * \param[in] keep [axes][2] or NULL for none: highest order of derivatives that stay at the start and end of
@@ -6949,7 +6949,7 @@ NURBS_API nurbs_status nurbs_warp(const nurbs *g, const double *range, const dou
  * \param[in] normal [dim] its normal.
  * \param[in] direction [dim] or NULL for the normal: direction of projection.
  * \param[out] moved or NULL: largest distance by which a control point moved, which bounds that of the shape
- *   if all weights are >= 0.
+ *   if all weights are >= 0; infinite if a control point at infinity moved.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _OVERFLOW, _POINT_NOT_FINITE, _PERIODIC_KNOTS; _DIRECTION if the
  *   normal or the direction is zero or not finite, or they are perpendicular; _PARAMETER_NOT_FINITE,
@@ -7306,8 +7306,8 @@ NURBS_API nurbs_status nurbs_eval_adjoint_knots(const nurbs *g, int32_t axis, in
  * (7 p + 2) hull (nurbs_hull_size()) and |u_a| |C_a|: the point lies on the spline, as far as doubles tell,
  * and r / |r| is any direction. Then g_d counts as 0, the shortest subgradient of the distance, and all else
  * is as the formulas say. With NURBS_NAN_POINTS a query point or foot that is not finite, as those of
- * nurbs_closest_points() are for such points, has NURBS_CLOSEST_INVALID and adds nothing, and its
- * grad_queries are NaN.
+ * nurbs_closest_points() are for such points, or a foot outside the domain has NURBS_CLOSEST_INVALID and adds
+ * nothing, and its grad_queries are NaN.
  * \param[in] g a spline.
  * \param[in] n number of points.
  * \param[in] points [n][dim] the query points, packed.
@@ -7545,7 +7545,8 @@ NURBS_API nurbs_status nurbs_face_tolerance(const nurbs_face *face, double *tole
  * Curves are cut into pieces on which both parameters run one way. The direction of each piece in the column
  * above a place says from which side the piece is passed, so that the answer is exact for the stored curves.
  * It is 0 where rounding would have to decide, which happens only within some units of rounding of a curve.
- * On closed axes, parameters outside the domain are wrapped; on other axes, such places are outside.
+ * On closed axes, parameters outside the domain are wrapped; on other axes, such places are outside, or on the
+ * boundary if they are within the tolerance of it.
  * \param[in] face a face.
  * \param[in] n number of parameters.
  * \param[in] params [n][2] finite.
@@ -9407,7 +9408,8 @@ NURBS_API nurbs_status nurbs_mesh_model_with(const nurbs_model *model, const nur
  *
  * Each mesh is the one that nurbs_mesh_surface() makes with `chord` = chords[i] and `relative_chord` = 0, bit
  * for bit, unless it comes to a limit of work. Points of one mesh need not be points of another one. One mesh
- * may stand for two equal distances. On failure all handles are NULL.
+ * may stand for two equal distances. On failure all handles are NULL; only with NURBS_ERROR_COUNT nothing is
+ * written.
  *
  * Most of the time goes into the proof of every triangle, which no other mesh has, so that several meshes
  * take about as long as separate calls. Halving the distance doubles the number of triangles: four such

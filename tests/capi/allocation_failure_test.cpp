@@ -7,6 +7,7 @@
 #include "allocations.h"
 #include "shapes.h"
 
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <vector>
@@ -80,6 +81,53 @@ void every_allocation_fails(const Call &call) {
     }
     std::printf("%-24s %lld allocations, or fewer\n", call.name, static_cast<long long>(k - 1));
 }
+
+// Batches of more than one block, so that memory may run out when others are done.
+constexpr int64_t many = 70;
+using Places = std::array<double, static_cast<size_t>(3 * many)>;
+
+// `width` coordinates of each place, between 0 and 1; a third coordinate is `height`.
+template <size_t width>
+const double *places(double height = 0) {
+    static Places values;
+    for (size_t i = 0; i < static_cast<size_t>(many); ++i) {
+        for (size_t c = 0; c < width; ++c) {
+            values[i * width + c] = c == 2 ? height : static_cast<double>((i + 1) * (c + 7) % 29) / 29;
+        }
+    }
+    return values.data();
+}
+
+const double *downwards() {
+    static Places values;
+    for (size_t i = 0; i < values.size(); ++i) {
+        values[i] = i % 3 == 2 ? -1 : 0.01 * static_cast<double>(i % 5);
+    }
+    return values.data();
+}
+
+const Call long_batches[] = {
+    {"closest_points, many",
+     [](const Inputs &in, Output &o) {
+         return nurbs_closest_points(in.curve, many, places<2>(), 0, 0, nullptr, 0, 0, o.values, 0, 0,
+                                     o.values + many, 0, 0, o.values + 3 * many, 0, nullptr, 0);
+     }},
+    {"face_classify, many",
+     [](const Inputs &in, Output &o) {
+         return nurbs_face_classify(in.face, many, places<2>(), 0, 0, 1e-2,
+                                    reinterpret_cast<int32_t *>(o.values));
+     }},
+    {"surface_rays, many",
+     [](const Inputs &in, Output &o) {
+         return nurbs_surface_rays(in.surface, many, places<3>(9), 0, 0, downwards(), 0, 0, o.values,
+                                   o.values + 2 * many, nullptr);
+     }},
+    {"face_rays, many",
+     [](const Inputs &in, Output &o) {
+         return nurbs_face_rays(in.face, many, places<3>(9), 0, 0, downwards(), 0, 0, o.values,
+                                o.values + 2 * many, nullptr);
+     }},
+};
 
 // Allocations of the second call of `run`: the first one may build tables.
 template <class Run>
@@ -196,6 +244,9 @@ int main(int argc, char **argv) {
     CHECK(calls::write_files(path));
     scalars_allocate_nothing();
     calls::for_each_allocating(every_allocation_fails);
+    for (const Call &call : long_batches) {
+        every_allocation_fails(call);
+    }
     evaluation_allocates_nothing_per_point();
     frames_allocate_nothing_per_point();
     for (const int64_t count : {10, 100, 1000, 10000, 100000}) {

@@ -241,6 +241,40 @@ static void refused(void) {
     nurbs_destroy(g);
 }
 
+/* The orders of a constraint are limited in sum, and what they take counts as work. */
+static void high_orders(void) {
+    SplineArgs a = cube();
+    a.weights = VALUES(1, 2, 3, 4, 5, 6, 7, 8);
+    nurbs *g = make(a), *h = NULL;
+    nurbs_constraints wanted;
+    nurbs_call_options call;
+    Call c = one_value(g, VALUES(0.5, 0.5, 0.5), VALUES(0, 0, 0, 0));
+    c.orders = INTS(127, 127, 2);
+    CHECK_NO_HANDLE(h, run(c, &h), NURBS_ERROR_ORDER, "orders[0]|256|255");
+    memset(&wanted, 0, sizeof wanted);
+    wanted.struct_size = sizeof wanted;
+    wanted.count = 1;
+    wanted.orders = INTS(30, 30, 30);
+    wanted.params = c.params;
+    wanted.targets = c.targets;
+    CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    call.work = 1000000; /* of which this takes 31^6 / 8 */
+    CHECK_NO_HANDLE(h, nurbs_constrain_with(g, &wanted, NULL, &call, &h), NURBS_ERROR_WORK, "");
+    nurbs_destroy(g);
+}
+
+/* An infinite tolerance allows anything, also for equations that some control points do not enter. */
+static void infinite_tolerance(void) {
+    nurbs *g = make(arch()), *h = NULL;
+    Call c = one_value(g, VALUES(0.5, 0.5), VALUES(2, 4, 2, 5));
+    c.count = 2;
+    c.tolerance = INFINITY;
+    CHECK_OK(run(c, &h));
+    CHECK(residuals[0] + residuals[1] <= 1 + 1e-13);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
 /* A curve that stands still has no curvature. */
 static void curvature_of_a_point(void) {
     static const int32_t degree = 3;
@@ -280,6 +314,8 @@ int main(void) {
     directions();
     weights();
     refused();
+    high_orders();
+    infinite_tolerance();
     curvature_of_a_point();
     infinite_points();
     periodic();

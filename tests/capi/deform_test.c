@@ -112,7 +112,41 @@ static void flatten(void) {
     nurbs_destroy(g);
 }
 
-/* A segment of length pi bent to a half circle of radius 1. */
+/* A control point at infinity moves infinitely far: this half circle moves from (0, 1) to (0, 0). */
+static void flatten_infinite_points(void) {
+    const double knots[] = {0, 0, 0, 1, 1, 1}, records[] = {1, 0, 1, 0, 1, 0, -1, 0, 1};
+    const int64_t count = 3;
+    nurbs *g = NULL, *h = NULL;
+    double moved = 0, at[2];
+    CHECK_OK(nurbs_create_homogeneous(1, INTS(2), &count, knots, 6, 2, records, 0, 0, 0, &g));
+    CHECK_OK(nurbs_flatten(g, NULL, VALUES(0, 0), VALUES(0, 1), NULL, &moved, &h));
+    point_at(h, 0.5, at);
+    CHECK(at[1] == 0 && moved >= 1);
+    nurbs_destroy(h);
+    CHECK_OK(nurbs_flatten(g, NULL, VALUES(1, 0), VALUES(1, 0), NULL, &moved, &h)); /* the other two move */
+    CHECK(moved == 2);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* Directions whose length overflows, or its square underflows. */
+static void long_directions(void) {
+    nurbs *g = make(arch()), *h = NULL;
+    double at[2];
+    for (int i = 0; i < 2; ++i) {
+        const double size = i == 0 ? 1.5e308 : 1e-320, direction[] = {-size, size};
+        CHECK_OK(nurbs_warp(g, NULL, direction, sqrt(2), 2, &h));
+        point_at(h, 0.5, at);
+        CHECK_NEAR(at, VALUES(1, 2.5), 2, 1e-13);
+        nurbs_destroy(h);
+        CHECK_OK(nurbs_flatten(g, NULL, VALUES(0, 1), direction, direction, NULL, &h));
+        point_at(h, 0, at);
+        CHECK_NEAR(at, VALUES(-0.5, 0.5), 2, 1e-13);
+        nurbs_destroy(h);
+    }
+    nurbs_destroy(g);
+}
+
 /* A region up to an end of the domain holds the end, clamped or not. */
 static void flatten_to_an_end(void) {
     for (int open = 0; open < 2; ++open) {
@@ -152,6 +186,51 @@ static void flatten_records(void) {
     nurbs_destroy(g);
 }
 
+typedef struct Bend {
+    double origin, curvature, lower, upper; /* along X and across Y, about (origin, 0) */
+} Bend;
+
+/* The distance of (x, y) from the exact image of (a, b). */
+static long double off_the_bend(const Bend *r, double a, double b, const double *got) {
+    const long double k = r->curvature, along = (long double)a - r->origin,
+                      u = along < r->lower   ? r->lower
+                          : along > r->upper ? r->upper
+                                             : along,
+                      turn = k * u, far = along - u;
+    const long double x = (1 / k + b) * sinl(turn) + far * cosl(turn),
+                      y = b * cosl(turn) - 2 / k * sinl(turn / 2) * sinl(turn / 2) - far * sinl(turn);
+    return hypotl(got[0] - r->origin - x, got[1] - y);
+}
+
+/* What is proven of the bend of a segment holds. */
+static void check_bound(const Bend *r, const double *ends, double tolerance) {
+    static const int32_t line = 1;
+    nurbs *g = NULL, *h = NULL;
+    double deviation = -1, at[2];
+    int32_t proven = -1;
+    CHECK_OK(nurbs_create_bezier(1, &line, 2, ends, 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_bend(g, VALUES(r->origin, 0), VALUES(1, 0), VALUES(0, 1), r->curvature, r->lower, r->upper,
+                        tolerance, &deviation, &proven, &h));
+    for (int i = 0; i <= 16; ++i) {
+        const double t = i / 16.0, a = ends[0] + t * (ends[2] - ends[0]),
+                     b = ends[1] + t * (ends[3] - ends[1]);
+        point_at(h, t, at);
+        CHECK(proven == 0 || off_the_bend(r, a, b, at) <= deviation);
+    }
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* Rounding of coordinates far from 0, of large angles, and of a centre of rotation far away. */
+static void bends_off_by_rounding(void) {
+    const Bend far = {1e10, 1, -INFINITY, INFINITY}, sharp = {0, 3e8, -INFINITY, INFINITY},
+               before = {0, 1e-12, 1e12, 2e12};
+    check_bound(&far, VALUES(1e10 + 1, 0, 1e10 + 1, 1), 1e-5);
+    check_bound(&sharp, VALUES(0.1, 0, 0.1, 1), 1e-6);
+    check_bound(&before, VALUES(0, 0, 1, 0), 1e-2);
+}
+
+/* A segment of length pi bent to a half circle of radius 1. */
 static void bend(void) {
     static const int32_t degree = 3;
     const double pi = 3.14159265358979312;
@@ -245,6 +324,27 @@ static void free_form(void) {
     nurbs_destroy(v);
 }
 
+/* Parameters are rounded like 1e8, and what is proven says so: V(1e8 + x, 1e8 + y) = (x, y). */
+static void free_form_far_away(void) {
+    static const int32_t degrees[] = {1, 1}, line = 1;
+    static const int64_t counts[] = {2, 2};
+    static const double ends[] = {0.1, 0.3, 0.7, 0.9}, net[] = {0, 0, 0, 1, 1, 0, 1, 1};
+    static const double knots[] = {1e8, 1e8, 1e8 + 1, 1e8 + 1, 1e8, 1e8, 1e8 + 1, 1e8 + 1};
+    nurbs *g = NULL, *v = NULL, *h = NULL;
+    double deviation = -1, at[2];
+    int32_t proven = -1;
+    CHECK_OK(nurbs_create_bezier(1, &line, 2, ends, 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_create(2, degrees, counts, knots, 8, 2, net, 0, 0, NULL, 0, 0, &v));
+    CHECK_OK(nurbs_free_form_deform(g, v, VALUES(0, 0), VALUES(1, 1), 1e-5, &deviation, &proven, &h));
+    for (int i = 0; i < 2; ++i) {
+        point_at(h, i, at);
+        CHECK(proven == 1 && hypot(at[0] - ends[2 * i], at[1] - ends[2 * i + 1]) <= deviation);
+    }
+    nurbs_destroy(h);
+    nurbs_destroy(v);
+    nurbs_destroy(g);
+}
+
 static void fair(void) {
     static const double points[] = {0, 0, 1, 1, 2, -1, 3, 1, 4, -1, 5, 1, 6, 0};
     static const int32_t degree = 3;
@@ -292,6 +392,20 @@ static void fair_with_weights(void) {
     CHECK_OK(nurbs_create(1, INTS(3), &count, knots, 10, 2, points, 0, 0, weights, 0, 0, &g));
     CHECK_OK(nurbs_fair(g, 2, NULL, 1e3, energies, NULL, &h));
     CHECK(energies[1] < 1e-9 * energies[0]);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+}
+
+/* An infinite tolerance also allows what has no bound: this curve goes to infinity where its weight is 0. */
+static void fair_without_a_tolerance(void) {
+    const double records[] = {0, 0, 1, 1, 2, 1, -6, -12, -3, 3, 1, 1, 4, 3, 1, 5, 0, 1};
+    const double knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    double energies[2], bound = -1;
+    nurbs *g = NULL, *h = NULL;
+    const int64_t count = 6;
+    CHECK_OK(nurbs_create_homogeneous(1, INTS(3), &count, knots, 10, 2, records, 0, 0, 0, &g));
+    CHECK_OK(nurbs_fair(g, 2, NULL, INFINITY, energies, &bound, &h));
+    CHECK(energies[1] < 1e-9 * energies[0] && bound > 0);
     nurbs_destroy(h);
     nurbs_destroy(g);
 }
@@ -380,16 +494,35 @@ static void snap_boundary(void) {
     nurbs_destroy(g);
 }
 
+/* Where a weight of the other boundary is 0, the one next to it would be that of a difference. */
+static void snap_to_a_weight_of_0(void) {
+    static const int32_t degrees[] = {1, 2};
+    const double net[] = {0, 0, 0, 0, 1, 1, 0, 2, 0, 1, 0, 0, 1, 1, 1, 1, 2, 0};
+    nurbs *g = NULL, *f = NULL, *h = NULL;
+    CHECK_OK(nurbs_create_bezier(2, degrees, 3, net, 0, 0, NULL, 0, &g));
+    CHECK_OK(nurbs_create_bezier(2, degrees, 3, net, 0, 0, VALUES(1, 0, 1, 1, 1, 1), 0, &f));
+    CHECK_NO_HANDLE(h, nurbs_snap_boundary(g, 0, NURBS_END, f, 0, NURBS_START, 1, 0, NULL, &h),
+                    NURBS_ERROR_WEIGHT_SIGN, "next to the boundary");
+    nurbs_destroy(f);
+    nurbs_destroy(g);
+}
+
 int main(void) {
     warp();
     flatten();
     flatten_to_an_end();
     flatten_records();
+    flatten_infinite_points();
+    long_directions();
     bend();
+    bends_off_by_rounding();
     free_form();
+    free_form_far_away();
     fair();
     fair_with_weights();
+    fair_without_a_tolerance();
     energy_of_a_volume();
     snap_boundary();
+    snap_to_a_weight_of_0();
     return check_summary("deform");
 }

@@ -76,6 +76,24 @@ static void poles(void) {
     nurbs_destroy(h);
 }
 
+/* A limit of work is for both directions: the first one leaves some of it. */
+static void both_directions(void) {
+    nurbs *g = make(trough()), *h = NULL;
+    static const double far[] = {0, 0, 2, 0, 3, 2.5, 1, 0, 2, 1, 3, 4};
+    static const int32_t degrees[] = {1, 1};
+    double at_least[2], at_most[2];
+    int32_t status;
+    nurbs_call_options call;
+    CHECK_OK(nurbs_create_bezier(2, degrees, 3, far, 0, 0, NULL, 0, &h));
+    CHECK_OK(nurbs_call_options_init(&call, sizeof call));
+    call.work = 2000000;
+    CHECK_OK(nurbs_hausdorff_distance_with(g, h, 0, 0, at_least, at_most, NULL, NULL, &status, &call));
+    CHECK_INT(status, NURBS_CLOSEST_BUDGET);
+    CHECK(at_most[0] < 10 && at_most[1] < 10);
+    nurbs_destroy(g);
+    nurbs_destroy(h);
+}
+
 /* Degree 0, jumps, one dimension. */
 static void steps(void) {
     static const double ends[] = {13, 17};
@@ -123,6 +141,7 @@ static void bad_input(void) {
 int main(void) {
     pairs();
     sets();
+    both_directions();
     poles();
     steps();
     bad_input();

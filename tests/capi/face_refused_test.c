@@ -66,6 +66,9 @@ static void wrong_numbers(void) {
     CHECK_NO_FACE(out_,
                   nurbs_face_create(surface_, 2, shared.sizes, both, NULL, NULL, 1, 0, shared.gaps, &out_),
                   NURBS_ERROR_OVERLAP, "gaps|sizes");
+    CHECK_NO_FACE(
+        out_, nurbs_face_create(surface_, 2, SIZES(1, 1), both, NULL, shared.sizes, 1, 0, shared.gaps, &out_),
+        NURBS_ERROR_OVERLAP, "gaps|keys");
 }
 
 static void wrong_splines(void) {
@@ -157,6 +160,9 @@ static void parts(void) {
     int64_t both[2];
     CHECK_FAILS(nurbs_face_loops(face_, 2, both, both + 1), NURBS_ERROR_OVERLAP, "sizes|count");
     CHECK_INT(count, 7);
+    int64_t three[3]; /* of which the last one is not overwritten */
+    CHECK_OK(nurbs_face_loops(face_, INT64_MAX / 8, three, three + 2));
+    CHECK_INT(three[2], 2);
     CHECK_NO_HANDLE(g, nurbs_face_curve(NULL, 0, 0, &g), NURBS_ERROR_NULL, "face");
     CHECK_FAILS(nurbs_face_curve(face_, 9, 0, NULL), NURBS_ERROR_NULL, "out");
     CHECK_NO_HANDLE(g, nurbs_face_curve(face_, 2, 0, &g), NURBS_ERROR_INDEX, "loop = 2|2 loops");

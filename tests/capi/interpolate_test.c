@@ -97,6 +97,12 @@ static void refused_parameters(void) {
     CHECK_FAILS(nurbs_parametrize(1, &four, 1, NULL, 0, 0, 1, 0, 0, params), NURBS_ERROR_NULL, "points");
     CHECK_FAILS(nurbs_parametrize(1, &four, 1, points, 0, 0, 1, 0, 0, NULL), NURBS_ERROR_NULL, "params");
     CHECK_FAILS(nurbs_parametrize(1, &four, 1, points, -1, 0, 1, 0, 0, params), NURBS_ERROR_STRIDE, "point");
+    union {
+        int64_t counts[1];
+        double params[4];
+    } shared = {{4}};
+    CHECK_FAILS(nurbs_parametrize(1, shared.counts, 1, points, 0, 0, 1, 0, 0, shared.params),
+                NURBS_ERROR_OVERLAP, "params|counts");
     CHECK_FAILS(nurbs_parametrize(1, &four, 1, VALUES(0, NAN, 1, 2), 0, 0, 1, 0, 0, params),
                 NURBS_ERROR_POINT_NOT_FINITE, "points[1][0]");
     CHECK_FAILS(nurbs_parametrize(1, &four, 1, params, 0, 0, 1, 0, 0, params), NURBS_ERROR_OVERLAP,
@@ -205,6 +211,9 @@ static void refused_directions(void) {
                 NURBS_ERROR_ORDER, "orders[1] = -1|a degree from 2 to 15, not 16");
     CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, targets, 0, 0, NULL, 3, 0, lengths),
                 NURBS_ERROR_SIZE, "knot_count = 3");
+    CHECK_FAILS(
+        nurbs_tangent_lengths(3, INT64_MAX / 8 + 1, at, orders, 1, targets, 0, 0, NULL, 0, 0, lengths),
+        NURBS_ERROR_OVERFLOW, "targets");
     CHECK_FAILS(nurbs_tangent_lengths(3, 4, at, orders, 1, lengths, 0, 0, NULL, 0, 0, lengths),
                 NURBS_ERROR_OVERLAP, "lengths|targets");
     CHECK_DOUBLES(lengths, VALUES(-7, -7, -7, -7), 4);

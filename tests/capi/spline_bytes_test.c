@@ -127,6 +127,12 @@ static void buffers(void) {
     CHECK_OK(nurbs_to_bytes(g, made.size, again.data, NULL));
     CHECK_BITS(made.data, again.data, (size_t)size);
     check_untouched(__FILE__, __LINE__, again.data + size, most_bytes - (size_t)size);
+    struct {
+        unsigned char data[most_bytes];
+        int64_t size;
+    } longer; /* no more is written than there is, whatever the cap */
+    CHECK_OK(nurbs_to_bytes(g, INT64_MAX, longer.data, &longer.size));
+    CHECK_INT(longer.size, made.size);
     FILL(again.data);
     size = -7;
     CHECK_FAILS(nurbs_to_bytes(NULL, 0, NULL, &size), NURBS_ERROR_NULL, "g");

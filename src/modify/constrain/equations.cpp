@@ -18,6 +18,11 @@ double sum_of_magnitudes(const std::vector<double> &values) noexcept {
                            [](double sum, double x) { return sum + std::abs(x); });
 }
 
+// A factor times a size; 0 if the factor is, even if the size is infinite.
+double scaled(double factor, double size) noexcept {
+    return factor == 0 ? 0 : factor * size;
+}
+
 // The largest residual of an equation if the derivatives are off by the given sizes: the sum of the sizes
 // times the magnitudes of the coefficients.
 double largest_limit(const LocalEquations &local, const std::vector<double> &sizes, int dim) {
@@ -26,7 +31,7 @@ double largest_limit(const LocalEquations &local, const std::vector<double> &siz
     for (size_t k = 0; k < local.residual.size(); ++k) {
         double limit = 0;
         for (size_t i = 0; i < width; ++i) {
-            limit += std::abs(local.jacobian[k * width + i]) * sizes[i / static_cast<size_t>(dim)];
+            limit += scaled(std::abs(local.jacobian[k * width + i]), sizes[i / static_cast<size_t>(dim)]);
         }
         largest = std::max(largest, limit);
     }
@@ -53,7 +58,7 @@ LocalEquations local_equations(const NetState &state, const Condition &condition
         const std::vector<double> &functions = local.functions.emplace_back(basis.functions(a));
         const std::vector<double> value = basis.value(a, functions);
         values.insert(values.end(), value.begin(), value.end());
-        sizes.push_back(tolerance > 0 ? tolerance * sum_of_magnitudes(functions)
+        sizes.push_back(tolerance > 0 ? scaled(sum_of_magnitudes(functions), tolerance)
                                       : rounding * basis.magnitude(functions));
         if (!state.columns().weight_costs.empty()) {
             local.slopes.push_back(basis.weight_slopes(a));

@@ -4,6 +4,7 @@
 #include "base/finite.h"
 #include "base/numbers.h"
 #include "base/representable.h"
+#include "base/watch.h"
 #include "modify/edit/kept_layers.h"
 #include "modify/edit/net_editor.h"
 #include "numeric/norm.h"
@@ -53,6 +54,12 @@ void number(const Spline &spline, const std::vector<int64_t> &acting, Cost &&cos
     for (int64_t i = 0; i < spline.point_count(); ++i) {
         columns[static_cast<size_t>(i)] = columns[static_cast<size_t>(original_of(spline, i))];
     }
+}
+
+// Counts the work of a sum over all multi-indices b <= a. Without these sums there is no answer.
+void count_sum(const eval::Orders &a, int64_t work_of_a_term) {
+    const NeededWork needed;
+    count_work(work_of_a_term * (a[0] + 1) * (a[1] + 1) * (a[2] + 1));
 }
 
 } // namespace
@@ -137,6 +144,8 @@ LocalBasis::LocalBasis(const NetState &state, const Condition &condition)
         const eval::Orders highest = highest_of(condition);
         reciprocal_.emplace(axes, highest[0] + highest[1] + highest[2]);
         eval::for_each_lower(highest, [&](const eval::Orders &b) {
+            constexpr int64_t work_of_a_term = 4;
+            count_sum(b, work_of_a_term);
             double weight = 0;
             active_.for_each(b, [&](int64_t point, double value) { weight += value * state.weight(point); });
             reciprocal_->add(b, weight);
@@ -151,6 +160,7 @@ std::vector<double> LocalBasis::functions(const eval::Orders &a) const {
         active_.for_each(a, [&next](int64_t, double value) { *next++ = value; });
         return values;
     }
+    count_sum(a, std::ssize(points_));
     reciprocal_->leibniz().for_each(a, [&](const eval::Orders &b, const eval::Orders &rest, double binomial) {
         const double factor = binomial * (*reciprocal_)[rest];
         auto next = values.begin();

@@ -90,7 +90,20 @@ struct CellPieces {
         }
         return range;
     }
+    // A bound of |b| on the cell.
+    [[nodiscard]] double reach() const {
+        double reach = 0;
+        for (size_t i = 0; i < across.size(); ++i) {
+            reach = std::max(reach, std::abs(across[i] / weights[i]));
+        }
+        return reach;
+    }
 };
+
+// A bound that could not be computed bounds nothing.
+double or_infinite(double bound) noexcept {
+    return std::isnan(bound) ? infinity : bound;
+}
 
 // A bound of the Taylor coefficient of order p + 1 of (w / k + w b) exp(i k a) along an axis.
 double remainder_along(const CellPieces &cell, size_t axis, double curvature) {
@@ -153,13 +166,12 @@ public:
                 mark(i, cuts);
             }
         }
-        const double rounding = 4096 * eps * largest_;
-        if (rounding > tolerance) { // cuts could not lead to a proof
+        if (rounding_ > tolerance) { // cuts could not lead to a proof
             for (std::vector<char> &spans : cuts) {
                 std::fill(spans.begin(), spans.end(), 0);
             }
         }
-        return bound + rounding;
+        return bound;
     }
 
 private:
@@ -196,28 +208,47 @@ private:
         }
     }
 
+    // A bound of the distance on a cell apart from the remainder, from the formula of one part.
+    double nodes_bound(const CellPieces &cell, int64_t piece, BendPart part) {
+        const double rounding = rounding_on(cell, piece, part);
+        rounding_ = std::max(rounding_, rounding);
+        return or_infinite(node_error(piece, part) / cell.least_weight() + rounding);
+    }
+
+    // What is rounded are coordinates, also those of the origin and of the end u from which a part goes on,
+    // and the angle k u. A turn by that error moves a point that is b + 1 / k off the axis of the bend and
+    // goes on straight for a - u. At the nodes all this is multiplied by w, and then divided by the least w.
+    [[nodiscard]] double rounding_on(const CellPieces &cell, int64_t piece, BendPart part) const {
+        const auto [lower, upper] = cell.range();
+        const double u = part == BendPart::bent ? 0 : part == BendPart::before ? bend_.lower : bend_.upper;
+        const double beyond = part == BendPart::bent ? 0 : std::max(std::abs(lower - u), std::abs(upper - u));
+        const double size = net_->size(piece) + norm(bend_.origin, static_cast<int>(dim_)) + std::abs(u);
+        const double ratio =
+            *std::max_element(cell.weights.begin(), cell.weights.end()) / cell.least_weight();
+        return 4096 * eps * ratio * size * (1 + std::abs(bend_.curvature) * (cell.reach() + beyond));
+    }
+
     CellBound cell_bound(int64_t piece) {
         const CellPieces cell = pieces_of(piece);
-        const double least = cell.least_weight();
-        if (!(least > 0)) {
+        if (!(cell.least_weight() > 0)) {
             return {infinity, false};
         }
-        largest_ = std::max(largest_, net_->size(piece));
         const auto [lower, upper] = cell.range();
         if (upper <= bend_.lower || lower >= bend_.upper) {
-            return {node_error(piece, upper <= bend_.lower ? BendPart::before : BendPart::after) / least,
-                    false};
+            const BendPart part = upper <= bend_.lower ? BendPart::before : BendPart::after;
+            return {nodes_bound(cell, piece, part), false};
         }
         const double before = std::max(0.0, bend_.lower - lower), after = std::max(0.0, upper - bend_.upper);
-        double bound = (node_error(piece, BendPart::bent) + remainder(cell)) / least +
-                       formula_gap(cell, std::max(before, after));
+        double bound =
+            or_infinite(nodes_bound(cell, piece, BendPart::bent) + remainder(cell) / cell.least_weight() +
+                        formula_gap(cell, std::max(before, after)));
         if (before > 0 && after == 0) {
             const double gap = formula_gap(cell, upper - bend_.lower);
-            bound = std::min(bound, node_error(piece, BendPart::before) / least + gap);
+            bound = std::min(bound, nodes_bound(cell, piece, BendPart::before) + gap);
         }
         if (after > 0 && before == 0) {
             const double gap = formula_gap(cell, bend_.upper - lower);
-            bound = std::min(bound, node_error(piece, BendPart::after) / least + gap);
+            bound = std::min(bound, nodes_bound(cell, piece, BendPart::after) + gap);
         }
         return {bound, before > 0 || after > 0};
     }
@@ -225,11 +256,7 @@ private:
     // A bound of the difference between the formulas of two neighbouring parts at points whose a is at most
     // `beyond` past the end between them.
     [[nodiscard]] double formula_gap(const CellPieces &cell, double beyond) const {
-        double reach = 0;
-        for (size_t i = 0; i < cell.across.size(); ++i) {
-            reach = std::max(reach, std::abs(cell.across[i] / cell.weights[i]));
-        }
-        return std::abs(bend_.curvature) * beyond * (reach + beyond / 2);
+        return std::abs(bend_.curvature) * beyond * (cell.reach() + beyond / 2);
     }
 
     static double lebesgue(int degree) noexcept { return 1 + 2 / std::numbers::pi * std::log(degree + 1.0); }
@@ -263,8 +290,8 @@ private:
         for (int64_t i = cells[0]; i < cells[0] + sizes[0]; ++i) {
             for (int64_t j = cells[1]; j < cells[1] + sizes[1]; ++j) {
                 for (int64_t k = cells[2]; k < cells[2] + sizes[2]; ++k) {
-                    largest = std::max(largest,
-                                       error_at(static_cast<size_t>((i * rows[1] + j) * rows[2] + k), part));
+                    const auto sample = static_cast<size_t>((i * rows[1] + j) * rows[2] + k);
+                    largest = std::max(largest, or_infinite(error_at(sample, part)));
                 }
             }
         }
@@ -293,7 +320,7 @@ private:
     SplinePtr before_;
     SplinePtr after_;
     std::vector<double> point_ = std::vector<double>(dim_), image_ = point_; // work
-    double largest_ = 0;
+    double rounding_ = 0; // the largest bound of it on a cell
 };
 
 } // namespace

@@ -31,8 +31,9 @@ namespace nrb::modify {
 //
 // Beyond the ends of the bent part F is affine, and there is no remainder. Where a cell crosses an end by a
 // distance d, the formula of one part is bounded on the whole cell, and a bound of the difference of the
-// formulas, |k| d (|b| + d / 2), is added. For the rounding of all this, 2^12 eps of the largest distance of
-// g from the origin of the bend is added. Cost: of the order of the evaluation at the nodes.
+// formulas, |k| d (|b| + d / 2), is added. For the rounding of all this, 2^12 eps of the size of the
+// coordinates is added, times the ratio of the weights of the cell and 1 + |k| times the distance of g from
+// the curve b = 0 bent. Cost: of the order of the evaluation at the nodes.
 double bend_bound(const Spline &g, const Spline &image, const Bend &bend, double tolerance, fit::Cuts &cuts);
 
 } // namespace nrb::modify

@@ -161,6 +161,11 @@ private:
         take_part();
     }
 
+    // log10 of a bound over the tolerance; if that is infinite, no bound exceeds it.
+    [[nodiscard]] double excess(double bound) const noexcept {
+        return std::isinf(tolerance_) ? -HUGE_VAL : std::log10(bound / tolerance_);
+    }
+
     // log10 of the first rho, in units of `unit`. For large rho the solution is -D^-1 K X_0 / rho; this is
     // the rho for which that would be as far away as is allowed.
     double start(const std::vector<double> &diagonal, double unit) {
@@ -170,7 +175,7 @@ private:
         }
         const SplinePtr moved = moved_by(step, 1);
         const double bound = moved == nullptr ? HUGE_VAL : bounds::deviation(*spline_, *moved).upper;
-        return std::clamp(std::log10(bound / tolerance_), least, most);
+        return std::clamp(excess(bound), least, most);
     }
 
     // Finds log10 of the rho at which distance_at() just stays within the tolerance, beginning at `first`.
@@ -188,7 +193,7 @@ private:
         double at = first, slope = 1, longest = most - least;
         Steps steps(most_places);
         for (int i = 0; i < most_places; ++i, steps.next()) {
-            const Side side{at, std::clamp(std::log10(distance_at(at) / tolerance_), -300.0, 300.0)};
+            const Side side{at, std::clamp(excess(distance_at(at)), -300.0, 300.0)};
             std::optional<Side> &own = side.value <= 0 ? near : far, &other = side.value <= 0 ? far : near;
             if (side.value <= 0 && (side.value > -enough || at <= least)) {
                 return;
@@ -226,7 +231,7 @@ private:
         }
         const SplinePtr moved = moved_by(step, 1);
         const double bound = moved == nullptr ? HUGE_VAL : bounds::deviation(*spline_, *moved).upper;
-        if (bound <= tolerance_) {
+        if (moved != nullptr && bound <= tolerance_) {
             take(moved, bound);
         } else if (std::isfinite(bound)) {
             far_step_ = std::move(step);

@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/representable.h"
+#include "numeric/direction.h"
 #include "numeric/norm.h"
 #include "spline/axis_view.h"
 
@@ -12,13 +13,6 @@
 namespace nrb::modify {
 
 namespace {
-
-std::vector<double> unit_vector(const double *x, int dim) {
-    const double length = norm(x, dim);
-    std::vector<double> unit(x, x + dim);
-    std::for_each(unit.begin(), unit.end(), [length](double &value) { value /= length; });
-    return unit;
-}
 
 // Projects a record x of weight w along d onto the plane with the normal n: x - ((x - w point) . n / (d . n))
 // d.
@@ -91,7 +85,7 @@ Flattened flatten(const SplinePtr &spline, const Part &part, const double *point
         if (inner[static_cast<size_t>(i)] != 0) {
             const double weight = fine->form() == Form::homogeneous ? fine->weight(i) : 1;
             const double distance = project(points.data() + i * fine->stored_width(), weight);
-            moved = weight == 0 ? moved : std::max(moved, distance / std::abs(weight));
+            moved = distance == 0 ? moved : std::max(moved, distance / std::abs(weight)); // may be infinite
         }
     }
     require_representable(points, "control points");

@@ -8,7 +8,7 @@ namespace nrb::modify {
 
 struct Flattened {
     SplinePtr spline;
-    double moved; // of control points
+    double moved; // of control points; infinite if one at infinity moved
 };
 
 // See nurbs_flatten(). Along an axis of which the part is not the whole domain, each of 3 (degree + 1) equal

@@ -7,8 +7,11 @@
 #include "base/watch.h"
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
+#include "numeric/norm.h"
 #include "refine/compose/compose.h"
+#include "refine/forms/homogeneous.h"
 #include "refine/forms/transform.h"
+#include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +33,8 @@ public:
     [[nodiscard]] double scale(size_t k) const noexcept {
         return (domains_[k].upper - domains_[k].lower) / (upper_[k] - lower_[k]);
     }
-    [[nodiscard]] double offset(size_t k) const noexcept { return domains_[k].lower - scale(k) * lower_[k]; }
+    [[nodiscard]] double lower(size_t k) const noexcept { return lower_[k]; }
+    [[nodiscard]] Interval domain(size_t k) const noexcept { return domains_[k]; }
     // Coordinate k of A x, clamped to the domain. Throws if x is outside the box by more than rounding.
     [[nodiscard]] double parameter(size_t k, double x) const {
         const double rounding = 64 * eps * std::max(std::abs(lower_[k]), std::abs(upper_[k]));
@@ -48,15 +52,59 @@ private:
     std::vector<Interval> domains_;
 };
 
-// The curve in the parameter space of the volume.
+// The curve in the parameter space of the volume. It is moved to the corner of the box first, as parameter()
+// does: far from the origin the two moves together would cancel.
 SplinePtr in_parameters(const Spline &curve, const Box &box) {
-    std::vector<double> matrix(box.dim() * box.dim(), 0.0), offset;
+    std::vector<double> unit(box.dim() * box.dim(), 0.0), matrix(unit), to_corner, to_domain;
     for (size_t k = 0; k < box.dim(); ++k) {
+        unit[k * box.dim() + k] = 1;
         matrix[k * box.dim() + k] = box.scale(k);
-        offset.push_back(box.offset(k));
+        to_corner.push_back(-box.lower(k));
+        to_domain.push_back(box.domain(k).lower);
     }
     const auto dim = static_cast<int64_t>(box.dim());
-    return refine::transform(curve, {dim, dim, matrix.data()}, offset.data());
+    const SplinePtr moved = refine::transform(curve, {dim, dim, unit.data()}, to_corner.data());
+    return refine::transform(*moved, {dim, dim, matrix.data()}, to_domain.data());
+}
+
+// A bound of p |P_(i+1) - P_i| / (t_(i+p+1) - t_(i+1)) for homogeneous control points along an axis, where
+// the differences of weights are multiplied by the size of the spline.
+double largest_slope(const Spline &records, int k, double size) {
+    const AxisView view = axis_view(records, k, 1);
+    const KnotVector &axis = records.axis(k);
+    const int dim = records.dim() - 1;
+    double largest = 0;
+    for (int64_t i = 0; i < records.point_count(); ++i) {
+        const int64_t layer = i / view.inner % view.count;
+        const double length = axis[layer + axis.degree() + 1] - axis[layer + 1];
+        if (layer + 1 < view.count && length > 0) {
+            const double *const from = records.points().data() + i * records.dim();
+            const double *const to = from + view.inner * records.dim();
+            const double step = distance(from, to, dim) + size * std::abs(to[dim] - from[dim]);
+            largest = std::max(largest, axis.degree() * (step / length));
+        }
+    }
+    return largest;
+}
+
+double magnitude(Interval range) noexcept {
+    return std::max(std::abs(range.lower), std::abs(range.upper));
+}
+
+// A bound of the distance by which rounding of the parameters A C(t), which the curve holds, and of t, where
+// the curve is cut, moves points of the volume V = B / w. The derivatives of V are (B' - V w') / w.
+double rounding_of_parameters(const Spline &volume, const Spline &curve, int degree) {
+    const double of_cuts =
+        4 * eps * magnitude(curve.axis(0).domain()) * largest_slope(*refine::to_homogeneous(curve), 0, 0);
+    const SplinePtr records = refine::to_homogeneous(volume);
+    const double size = volume.dim() * largest_magnitude(refine::cartesian_points(volume));
+    double bound = 0;
+    for (int k = 0; k < volume.axes(); ++k) {
+        const double of_params = 8 * degree * eps * magnitude(volume.axis(k).domain());
+        bound += (of_params + of_cuts) * largest_slope(*records, k, size);
+    }
+    const double least = volume.all_weights().smallest;
+    return least > 0 ? bound / least : infinity;
 }
 
 // The degree of the exact image of a curve; 0 if it is not to be composed: if the degree would be too high,
@@ -104,8 +152,11 @@ DeformedShape free_form_deform(const SplinePtr &spline, const SplinePtr &volume,
     const int degree = image_degree(*spline, *volume);
     fit::Judge judge;
     if (degree > 0) {
-        const SplinePtr exact = refine::compose(volume, in_parameters(*spline, box));
-        const double rounding = 64 * eps * degree * largest_magnitude(volume->effective().points());
+        const SplinePtr curve = in_parameters(*spline, box);
+        const SplinePtr exact = refine::compose(volume, curve);
+        const Spline &active = volume->effective();
+        const double rounding = 64 * eps * degree * largest_magnitude(active.points()) +
+                                rounding_of_parameters(active, *curve, degree);
         judge = [exact, rounding](const SplinePtr &, const SplinePtr &candidate, fit::Cuts &) {
             return bounds::deviation(*exact, *candidate).upper + rounding;
         };

@@ -138,8 +138,9 @@ void check_orders(const Spline &g, const Spline &other, Boundary boundary, Bound
     }
 }
 
-// Sets A_1, the layer next to the boundary.
-void set_second_layer(Layers &own, Layers &other, double factor) {
+// Sets A_1, the layer next to the boundary. A weight may be 0 where that on the boundary is; only homogeneous
+// records may have a negative one.
+void set_second_layer(Layers &own, Layers &other, double factor, Form form) {
     const double speed = own.speed(), other_speed = other.speed();
     if (!(speed > 0) || !(other_speed > 0)) {
         fail(Status::tangent, "the derivative of %s across the boundary vanishes", speed > 0 ? "other" : "g");
@@ -154,7 +155,7 @@ void set_second_layer(Layers &own, Layers &other, double factor) {
             out[k] = factor * ((1 + c) * a[k] + s * (a[k] - b[k]));
         }
         const double weight = out[own.width() - 1];
-        if (!(weight > 0) && a[own.width() - 1] > 0) {
+        if ((!(weight > 0) && a[own.width() - 1] > 0) || (weight < 0 && form != Form::homogeneous)) {
             fail(Status::weight_sign, "weight %s of a control point next to the boundary, expected > 0",
                  Number(weight).text);
         }
@@ -213,7 +214,7 @@ SnappedBoundary snap_boundary(const SplinePtr &spline, Boundary boundary, const 
     Layers own(*pair.g, boundary), from(*pair.other, other_boundary);
     const double factor = weight_factor(own, from);
     if (order > 0) {
-        set_second_layer(own, from, factor);
+        set_second_layer(own, from, factor, std::max(pair.g->form(), pair.other->form()));
     }
     set_first_layer(own, from, factor);
     SplinePtr snapped = assembled(*pair.g, boundary, *pair.other, other_boundary, own.take(), order + 1);

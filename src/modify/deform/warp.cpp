@@ -4,7 +4,7 @@
 #include "base/representable.h"
 #include "basis/bspline.h"
 #include "modify/edit/net_editor.h"
-#include "numeric/norm.h"
+#include "numeric/direction.h"
 #include "refine/algebra/polynomial.h"
 #include "refine/algebra/sum.h"
 #include "refine/periodic/period.h"
@@ -83,13 +83,12 @@ Bump periodic_bump(const KnotVector &axis, const std::vector<double> &own) {
 
 std::vector<double> step_of(const double *direction, int dim, double distance,
                             const std::vector<Bump> &bumps) {
-    const double length = norm(direction, dim);
     double scale = distance;
     for (const Bump &bump : bumps) {
         scale /= bump.peak;
     }
-    std::vector<double> step(direction, direction + dim);
-    std::for_each(step.begin(), step.end(), [=](double &x) { x = scale * (x / length); });
+    std::vector<double> step = unit_vector(direction, dim);
+    std::for_each(step.begin(), step.end(), [scale](double &x) { x *= scale; });
     require_representable(step, "the bump");
     return step;
 }
