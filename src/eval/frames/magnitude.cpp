@@ -93,7 +93,7 @@ public:
     [[nodiscard]] Powers powers() const noexcept {
         Powers powers{.coordinates = coordinates_.power(), .weights = weights_.power(), .knots = {}};
         for (size_t k = 0; k < axes_.size(); ++k) {
-            powers.knots[k] = kept_apart({axes_[k]}, spans_[k].power());
+            powers.knots[k] = kept_apart({&axes_[k], 1}, spans_[k].power());
         }
         return powers;
     }
@@ -223,7 +223,7 @@ Powers powers_of_part(const Spline &part) noexcept {
                   .weights = -exponent_of(largest.weight),
                   .knots = {}};
     for (int k = 0; k < part.axes(); ++k) {
-        powers.knots[static_cast<size_t>(k)] = kept_apart({part.knot_vectors()[static_cast<size_t>(k)]},
+        powers.knots[static_cast<size_t>(k)] = kept_apart({&part.knot_vectors()[static_cast<size_t>(k)], 1},
                                                           slope_exponent(part, k) + powers.size(part));
     }
     return powers;
