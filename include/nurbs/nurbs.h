@@ -1698,7 +1698,7 @@ NURBS_API nurbs_status nurbs_move_seam(const nurbs *g, int32_t axis, double para
  * \param[in] tolerance largest distance of corresponding control points of two ends that meet, >= 0. The
  *   weights of a curve always agree after scaling; those of two edges or faces must to 4 eps.
  * \param[in] flags NURBS_KEEP_GAPS or 0.
- * \param[out] gap or NULL: largest distance of corresponding control points of two ends.
+ * \param[out] gap or NULL: largest distance of corresponding control points of two ends, but those of weight 0.
  * \param[out] out the new handle.
  * \return NURBS_OK, NURBS_ERROR_NULL, _COUNT, _OVERFLOW, _AXIS, _TOLERANCE, _FLAGS; _INCOMPATIBLE if numbers
  *   of axes, dimensions or the other axes differ or weights do not agree; _GAP if two ends do not meet;

@@ -208,6 +208,17 @@ void with_evaluator(const Spline &spline, const Rule &rule, int order, int64_t u
     }
 }
 
+// Keeps the tables for single points if this is one. That may fail, so it comes before the evaluation, but
+// after the evaluator, which has made the tables that they refer to.
+template <class Evaluator>
+void evaluate_plain(Evaluator &&evaluate, const Spline &spline, int order, const ConstRecords &params,
+                    const Records &out) {
+    if (order == 0 && params.count == 1) {
+        keep_single_tables(spline);
+    }
+    evaluate(params, out);
+}
+
 // Blocks of a list of parameters.
 class ListBlocks {
 public:
@@ -284,12 +295,9 @@ void evaluate_points(const Spline &spline, const AxisRules &rules, int order, co
         }
     }
     if (spline.axes() == 1) {
-        CurveEvaluator(spline, rules[0], order, params.count)(params, out);
+        evaluate_plain(CurveEvaluator(spline, rules[0], order, params.count), spline, order, params, out);
     } else {
-        TensorEvaluator(spline, rules, order, params.count)(params, out);
-    }
-    if (order == 0 && params.count == 1) {
-        keep_single_tables(spline);
+        evaluate_plain(TensorEvaluator(spline, rules, order, params.count), spline, order, params, out);
     }
 }
 

@@ -44,12 +44,14 @@ Powers powers_near_one(const Spline &spline, int degree) {
 SplinePtr near_one(const Spline &spline, const Powers &powers) {
     const SplinePtr near = scaled(spline, powers);
     std::vector<double> points(near->points().begin(), near->points().end());
-    for (double &x : points) {
-        x = std::isfinite(x) ? x : 0;
+    std::vector<double> weights(near->weights().begin(), near->weights().end());
+    for (std::vector<double> *values : {&points, &weights}) {
+        for (double &x : *values) {
+            x = std::isfinite(x) ? x : 0;
+        }
     }
-    return std::make_shared<const Spline>(
-        near->knot_vectors(), near->dim(), near->form(), std::move(points),
-        std::vector<double>(near->weights().begin(), near->weights().end()));
+    return std::make_shared<const Spline>(near->knot_vectors(), near->dim(), near->form(), std::move(points),
+                                          std::move(weights));
 }
 
 SplinePtr scaled_back(const Spline &result, const Spline &near, const Spline &given, const Powers &powers) {

@@ -15,7 +15,7 @@ namespace nrb::inline spline {
 Powers powers_near_one(const Spline &spline, int degree, std::span<const int64_t> places);
 Powers powers_near_one(const Spline &spline, int degree); // all control points with influence
 
-// The spline scaled by these powers. Coordinates that overflow are replaced by 0; they must have no influence
+// The spline scaled by these powers. Coordinates and weights that overflow are replaced by 0; they must have no influence
 // on the result that is wanted.
 SplinePtr near_one(const Spline &spline, const Powers &powers);
 

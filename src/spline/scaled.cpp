@@ -26,7 +26,7 @@ KnotVectorPtr multiplied(const KnotVectorPtr &axis, int exponent) {
 
 } // namespace
 
-int kept_apart(const Spline::Axes &axes, int exponent) noexcept {
+int kept_apart(std::span<const KnotVectorPtr> axes, int exponent) noexcept {
     constexpr int most = 1000;
     double largest = 0, least = std::numeric_limits<double>::max();
     for (const KnotVectorPtr &axis : axes) {

@@ -4,6 +4,8 @@
 
 #include "spline/spline.h"
 
+#include <span>
+
 namespace nrb::inline spline {
 
 // The exponents: for the stored coordinates (homogeneous ones contain their weight), for the weights, and for
@@ -21,7 +23,7 @@ struct Powers {
 };
 
 // The exponent nearest to the given one with which no knot overflows and no two knots become equal.
-int kept_apart(const Spline::Axes &axes, int exponent) noexcept;
+int kept_apart(std::span<const KnotVectorPtr> axes, int exponent) noexcept;
 
 // Exact except for numbers that leave the range of doubles, which become infinite or lose bits. The caller
 // has to know whether these matter.

@@ -181,6 +181,56 @@ int64_t frame_cost(const nurbs *g, int64_t n) {
     });
 }
 
+// A call with a new handle, each of its allocations failing: nothing is written. Tables for single points are
+// made at the first call.
+template <class Make, class Run>
+void writes_nothing_without_memory(Make &&make_handle, Run &&run) {
+    bool failed = true;
+    for (int64_t k = 1; failed; ++k) {
+        double out[32];
+        nurbs *g = make_handle();
+        FILL(out);
+        check_forget();
+        allocations::begin();
+        allocations::fail(k, false);
+        const nurbs_status status = run(g, out);
+        failed = allocations::log.failed;
+        allocations::fail(0, false);
+        allocations::end();
+        if (status != NURBS_OK) {
+            CHECK_INT(status, NURBS_ERROR_MEMORY);
+            CHECK_UNTOUCHED(out);
+        }
+        nurbs_destroy(g);
+    }
+}
+
+void first_calls_write_nothing_without_memory() {
+    static const double at[] = {0.25, 0.5, 0.125};
+    const auto point = [](const nurbs *g, double *out) { return nurbs_eval(g, 1, at, 0, 0, out, 0, 0, 0); };
+    for (const SplineArgs &a : {arch(), circle(), patch(), cube()}) {
+        writes_nothing_without_memory([&] { return make(a); }, point);
+    }
+    writes_nothing_without_memory([] { return make(patch()); },
+                                  [](const nurbs *g, double *out) {
+                                      return nurbs_surface_eval_frames(g, 1, at, 0, 0, out, 0, 0, out + 3, 0,
+                                                                       0, out + 6, 0, 0, out + 9, 0, 0,
+                                                                       nullptr, 0);
+                                  });
+    const auto homogeneous = [] {
+        const int32_t degree = 1;
+        const int64_t count = 3;
+        const double knots[] = {0, 0, 1, 2, 2}, records[] = {0, 1, 2, 2, 3, 1};
+        nurbs *g = nullptr;
+        CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, knots, 5, 1, records, 0, 0, 0, &g));
+        return g;
+    };
+    writes_nothing_without_memory(homogeneous, [](const nurbs *g, double *out) {
+        int64_t count = 0;
+        return nurbs_bezier_pieces(g, 2, out, out + 8, out + 16, nullptr, &count);
+    });
+}
+
 void frames_allocate_nothing_per_point() {
     nurbs *g = make(trough());
     CHECK_INT(frame_cost(g, 100), frame_cost(g, 1000));
@@ -247,6 +297,7 @@ int main(int argc, char **argv) {
     for (const Call &call : long_batches) {
         every_allocation_fails(call);
     }
+    first_calls_write_nothing_without_memory();
     evaluation_allocates_nothing_per_point();
     frames_allocate_nothing_per_point();
     for (const int64_t count : {10, 100, 1000, 10000, 100000}) {

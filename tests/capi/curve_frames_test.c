@@ -204,6 +204,36 @@ static void a_straight_line(void) {
     nurbs_destroy(g);
 }
 
+/* The parabola y = s t^2, z = s t in the plane x = 1, with s much smaller than 1: at t = 1/2 its tangent is
+ * (0, 1, 1), its curvature 2 / (s sqrt(8)). */
+static void tiny_and_far(void) {
+    static const int32_t degree = 2;
+    static const double param = 0.5, half = 0.70710678118654757, sizes[] = {1e-12, 1e-100, 1e-200, 1e-300};
+    for (int i = 0; i < 4; ++i) {
+        const double s = sizes[i], points[] = {1, 0, 0, 1, 0, 0.5 * s, 1, s, s};
+        double p[3], t[3], n[3], curvature;
+        int32_t status = -7;
+        nurbs *g = NULL;
+        CHECK_OK(nurbs_create_bezier(1, &degree, 3, points, 0, 0, NULL, 0, &g));
+        CHECK_OK(frenet(g, 1, &param, ((Outputs){p, t, n, NULL, &curvature, NULL, &status}), 0));
+        CHECK_INT(status, 0);
+        CHECK_DOUBLES(p, ((const double[]){1, 0.25 * s, 0.5 * s}), 3);
+        CHECK_NEAR(t, ((const double[]){0, half, half}), 3, 0x1p-51);
+        CHECK_NEAR(n, ((const double[]){0, half, -half}), 3, 0x1p-51);
+        CHECK(fabs(curvature * s - half) <= 0x1p-50);
+        const double params[] = {0, 0.5, 1};
+        double tangents[9], normals[9];
+        int32_t each[3];
+        const double along[] = {0, 1, 0};
+        CHECK_OK(
+            minimal(g, 3, params, along, ((Outputs){NULL, tangents, normals, NULL, NULL, NULL, each}), 0));
+        CHECK_INT(each[0] + each[1] + each[2], 0);
+        CHECK_NEAR(tangents + 3, t, 3, 0x1p-51);
+        CHECK_NEAR(normals + 3, n, 3, 0x1p-50);
+        nurbs_destroy(g);
+    }
+}
+
 int main(void) {
     nurbs *g = make(twist()), *flat = make(arch());
     const BatchCase cases[] = {{frenet_points, g, 1, 3, "points", "points", 0, 1, 1, 1},
@@ -223,6 +253,7 @@ int main(void) {
         batch_checks_optional(cases + i);
     }
     known_frame();
+    tiny_and_far();
     in_the_plane();
     wrong_kinds();
     overlaps();

@@ -57,6 +57,23 @@ static void transposition(void) {
     nurbs_destroy(h);
 }
 
+/* The ratio of the lengths of the domains leaves double precision. */
+static void extreme_domains(void) {
+    static const int32_t degree = 1;
+    static const int64_t count = 3;
+    static const double from[] = {1e-10, 1e15, 1e15, 4}, to[] = {1e300, 1e-305, 4e-320, 1e308};
+    for (int i = 0; i < 4; ++i) {
+        const double a = from[i], b = to[i];
+        nurbs *g = NULL, *h = NULL;
+        CHECK_OK(nurbs_create(1, &degree, &count, VALUES(0, 0, 0.25 * a, a, a), 5, 1, VALUES(0, 1, 3), 0, 0,
+                              NULL, 0, 0, &g));
+        CHECK_OK(nurbs_reparametrize(g, 0, 0, b, &h));
+        CHECK_KNOTS(h, 0, VALUES(0, 0, 0.25 * b, b, b));
+        nurbs_destroy(h);
+        nurbs_destroy(g);
+    }
+}
+
 static void other_domains(void) {
     nurbs *g = make(hill()), *h = NULL;
     CHECK_OK(nurbs_reparametrize(g, 0, 0, 6, &h));
@@ -127,6 +144,7 @@ int main(void) {
     reversal();
     transposition();
     other_domains();
+    extreme_domains();
     rational_forms();
     return check_summary("forms");
 }

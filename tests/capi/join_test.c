@@ -160,6 +160,35 @@ static void no_room(void) {
     nurbs_destroy(b);
 }
 
+static void overflowing_knots(void) {
+    nurbs *a = line(0, 1e308, 0, 2, 0, 0), *b = line(-1e308, 0, 2, 3, 0, 0), *c = line(0, 1, 2, 3, 0, 0),
+          *h = NULL;
+    const nurbs *same[] = {a, a}, *wide[] = {b, a, c};
+    CHECK_NO_HANDLE(h, nurbs_join(2, same, 0, 2, 0, NULL, &h), NURBS_ERROR_NOT_REPRESENTABLE, "parts[1]");
+    CHECK_NO_HANDLE(h, nurbs_join(2, wide, 0, 3, 0, NULL, &h), NURBS_ERROR_NOT_REPRESENTABLE, "parts[1]");
+    nurbs_destroy(a);
+    nurbs_destroy(b);
+    nurbs_destroy(c);
+}
+
+/* Where the weight is 0 the control points may differ. */
+static void points_without_weight(void) {
+    static const int32_t degrees[] = {1, 2};
+    nurbs *parts[2] = {NULL, NULL}, *h = NULL;
+    double gap = -1;
+    CHECK_OK(nurbs_create_bezier(2, degrees, 2, VALUES(0, 0, 0, 1, 0, 2, 1, 0, 9, 9, 1, 2), 0, 0,
+                                 VALUES(1, 1, 1, 1, 0, 1), 0, &parts[0]));
+    CHECK_OK(nurbs_create_bezier(2, degrees, 2, VALUES(1, 0, 5, 5, 1, 2, 2, 0, 2, 1, 2, 2), 0, 0,
+                                 VALUES(1, 0, 1, 1, 1, 1), 0, &parts[1]));
+    CHECK_OK(nurbs_join(2, (const nurbs *const *)parts, 0, 0, 0, &gap, &h));
+    CHECK_DOUBLE(gap, 0);
+    CHECK_POINTS(h, VALUES(0, 0, 0, 1, 0, 2, 1, 0, 9, 9, 1, 2, 2, 0, 2, 1, 2, 2));
+    CHECK_WEIGHTS(h, VALUES(1, 1, 1, 1, 0, 1, 1, 1, 1));
+    nurbs_destroy(h);
+    nurbs_destroy(parts[0]);
+    nurbs_destroy(parts[1]);
+}
+
 static void bad_arguments(void) {
     nurbs *a = make(arch()), *h = NULL;
     const nurbs *parts[] = {a, NULL};
@@ -182,6 +211,8 @@ int main(void) {
     incompatible();
     weights_that_do_not_match();
     no_room();
+    overflowing_knots();
+    points_without_weight();
     bad_arguments();
     return check_summary("join");
 }

@@ -45,6 +45,12 @@ static void knots(void) {
     g = curve(0, 2, VALUES(-8.5e307, 0, 8.5e307), VALUES(1, 2), NURBS_PERIODIC);
     CHECK_NO_HANDLE(h, nurbs_warp(g, NULL, VALUES(1), 1, 2, &h), NURBS_ERROR_NOT_REPRESENTABLE, "knots");
     nurbs_destroy(g);
+    g = curve(0, 2, VALUES(0, 1e308, 1.6e308), VALUES(1, 2), NURBS_PERIODIC);
+    CHECK_NO_HANDLE(h, nurbs_move_seam(g, 0, 1e308, &h), NURBS_ERROR_NOT_REPRESENTABLE, "knots");
+    nurbs_destroy(g);
+    g = curve(2, 3, VALUES(-8e307, 0, 0, 8e307, 8e307, 8e307), VALUES(0, 1, 0), 0);
+    CHECK_NO_HANDLE(h, nurbs_extend(g, 0, NURBS_END, 9e307, 2, &h), NURBS_ERROR_NOT_REPRESENTABLE, "knots");
+    nurbs_destroy(g);
 }
 
 /* Points (w x) / w of homogeneous splines. */

@@ -98,6 +98,22 @@ static void refusals(void) {
     nurbs_destroy(g);
 }
 
+/* Terms overflow on the way to coefficients that do not. */
+static void large_points(void) {
+    nurbs *g = NULL;
+    const int32_t one = 1, two = 2;
+    CHECK_OK(nurbs_create(1, &one, &(const int64_t){2}, VALUES(0, 0, 10, 10), 4, 1, VALUES(-1.7e308, 1.7e308),
+                          0, 0, NULL, 0, 0, &g));
+    CHECK_OK(to_power(g, 2));
+    CHECK_DOUBLES(coefficients, VALUES(-1.7e308, 2 * (1.7e308 / 10)), 2);
+    nurbs_destroy(g);
+    CHECK_OK(nurbs_create(1, &two, &(const int64_t){3}, VALUES(0, 0, 0, 4, 4, 4), 6, 1,
+                          VALUES(0, 0x1p1023, 0x1p1022), 0, 0, NULL, 0, 0, &g));
+    CHECK_OK(to_power(g, 3));
+    CHECK_DOUBLES(coefficients, VALUES(0, 0x1p1022, -0.75 * 0x1p1020), 3);
+    nurbs_destroy(g);
+}
+
 static const int32_t degrees[] = {2, 1};
 static const int64_t counts[] = {2, 1};
 static const double ends[] = {0, 2, 3, -1, 3}, sums[] = {1, 0, 0, 1, 0, 0, 4, 0, 2, 0, 0, 0};
@@ -158,6 +174,11 @@ static void not_made(void) {
     REFUSE(nurbs_create_power(1, degrees + 1, counts + 1, ends, 2, 1, VALUES(1, 0, 1, 0), 0, 0,
                               NURBS_HOMOGENEOUS, &h),
            NURBS_ERROR_WEIGHTS_VANISH, "weight");
+    static const int32_t ones[] = {1, 1};
+    static const int64_t side_by_side[] = {1, 2};
+    REFUSE(nurbs_create_power(2, ones, side_by_side, VALUES(0, 1, 0, 1, 2), 5, 1,
+                              VALUES(0, 0, NAN, 0, 0, 0, 0, 0), 0, 0, 0, &h),
+           NURBS_ERROR_POINT_NOT_FINITE, "coefficients[2][0] = nan");
     CHECK_FAILS(from_power(0, NULL), NURBS_ERROR_NULL, "out");
 }
 
@@ -166,6 +187,7 @@ int main(void) {
     parts();
     refusals();
     made();
+    large_points();
     not_made();
     return check_summary("power");
 }

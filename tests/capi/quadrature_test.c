@@ -68,6 +68,19 @@ static void on_a_surface(void) {
     nurbs_destroy(g);
 }
 
+/* The arc (1 - 2 t, 2 t (1 - t)) over its weight (1 - t)^2 + t^2, whose middle control point is far away with
+ * a small weight: its derivative at 1/2 is (-4, 0), and so are the gradients dR_i / dx. */
+static void a_far_point_of_small_weight(void) {
+    static const int32_t degree = 2;
+    static const double points[] = {1, 0, 0, 1e16, -1, 0}, weights[] = {1, 1e-16, 1}, half = 0.5;
+    double gradients[6];
+    nurbs *g = NULL;
+    CHECK_OK(nurbs_create_bezier(1, &degree, 2, points, 0, 0, weights, 0, &g));
+    CHECK_OK(nurbs_basis_gradients(g, 1, &half, 0, 0, NULL, gradients, 0, 0, 0));
+    CHECK_NEAR(gradients, VALUES(0.5, 0, 0, 0, -0.5, 0), 6, 1e-15);
+    nurbs_destroy(g);
+}
+
 /* At the pole of a cone, and of a parameter that is none, there are no gradients. */
 static void where_there_are_none(void) {
     static const int32_t degrees[] = {1, 1};
@@ -134,6 +147,7 @@ int main(void) {
     integrals();
     on_a_square();
     on_a_surface();
+    a_far_point_of_small_weight();
     where_there_are_none();
     refused();
     for (int i = 0; i < 4; ++i) {

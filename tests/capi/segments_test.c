@@ -89,6 +89,19 @@ static void no_hermite(SplineArgs a, nurbs_status status, const char *words) {
     nurbs_destroy(g);
 }
 
+/* The difference of the points overflows, but not the slope. */
+static void large_points(void) {
+    static const int32_t degree = 1;
+    static const int64_t two = 2;
+    nurbs *g = NULL;
+    double slopes[2];
+    CHECK_OK(nurbs_create(1, &degree, &two, VALUES(0, 0, 10, 10), 4, 1, VALUES(-1.7e308, 1.7e308), 0, 0, NULL,
+                          0, 0, &g));
+    CHECK_OK(nurbs_to_hermite(g, 2, NULL, NULL, slopes, NULL));
+    CHECK_DOUBLES(slopes, VALUES(2 * (1.7e308 / 10), 2 * (1.7e308 / 10)), 2);
+    nurbs_destroy(g);
+}
+
 static void hermite_refusals(void) {
     static const int32_t four = 4;
     static const int64_t five = 5;
@@ -158,6 +171,7 @@ int main(void) {
     matrices();
     hermite();
     lower_degrees();
+    large_points();
     hermite_refusals();
     refusals();
     return check_summary("segments");

@@ -246,6 +246,30 @@ static void a_collapsed_edge(void) {
     nurbs_destroy(g);
 }
 
+/* Patches of the plane x = 1 that are much smaller than 1. */
+static void tiny_and_far(void) {
+    static const int32_t degrees[] = {1, 1};
+    static const double param[] = {0.5, 0.5}, sizes[] = {1e-12, 1e-100, 1e-200, 1e-300};
+    for (int i = 0; i < 4; ++i) {
+        const double s = sizes[i], points[] = {1, 0, 0, 1, 0, s, 1, s, 0, 1, s, s};
+        double p[3], du[3], normal[3], k[2], h;
+        int32_t status = -7;
+        nurbs *g = NULL;
+        CHECK_OK(nurbs_create_bezier(2, degrees, 3, points, 0, 0, NULL, 0, &g));
+        CHECK_OK(FRAMES(g, 1, param, 0, 0, p, 0, 0, du, 0, 0, NULL, 0, 0, normal, 0, 0, &status, 0));
+        CHECK_INT(status, 0);
+        CHECK_DOUBLES(p, ((const double[]){1, 0.5 * s, 0.5 * s}), 3);
+        CHECK_DOUBLES(du, ((const double[]){0, s, 0}), 3);
+        CHECK_NEAR(normal, ((const double[]){1, 0, 0}), 3, 0x1p-52);
+        status = -7;
+        CHECK_OK(CURVATURES(g, 1, param, 0, 0, k, 0, 0, NULL, 0, 0, &h, 0, NULL, 0, &status, 0));
+        CHECK_INT(status, NURBS_FRAME_RULE);
+        CHECK_DOUBLES(k, ((const double[]){0, 0}), 2);
+        CHECK_DOUBLE(h, 0);
+        nurbs_destroy(g);
+    }
+}
+
 int main(void) {
     nurbs *g = make(patch());
     const BatchCase cases[] = {{points_only, g, 2, 3, "points", "points", 1, 1, 1, 1},
@@ -266,6 +290,7 @@ int main(void) {
     nothing_is_written();
     bad_grids();
     a_collapsed_edge();
+    tiny_and_far();
     nurbs_destroy(g);
     return check_summary("surface_frames");
 }

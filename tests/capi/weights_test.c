@@ -88,6 +88,55 @@ static void mapped(void) {
     nurbs_destroy(g);
 }
 
+/* Ratios at which rho times the length of the domain leaves double precision. */
+static void extreme_ratios(void) {
+    static const int32_t degree = 1;
+    static const int64_t count = 2;
+    nurbs *g = NULL, *h = NULL;
+    double records[4];
+    CHECK_OK(nurbs_create_homogeneous(1, &degree, &count, VALUES(0, 0, 1e10, 1e10), 4, 1, VALUES(0, 1, 1, 1),
+                                      0, 0, 0, &g));
+    CHECK_OK(nurbs_reparametrize_moebius(g, 0, 1e300, &h));
+    CHECK_KNOTS(h, 0, VALUES(0, 0, 1e10, 1e10));
+    CHECK_OK(nurbs_homogeneous_points(h, 2, records, 0, 0));
+    CHECK_DOUBLES(records, VALUES(0, 1, 1e300, 1e300), 4);
+    nurbs_destroy(h);
+    nurbs_destroy(g);
+    static const double lengths[] = {1e-300, 0.7, 1e300}, ratios[] = {1e-300, 3, 1e300};
+    for (int i = 0; i < 9; ++i) {
+        const double b = lengths[i / 3], r = ratios[i % 3];
+        CHECK_OK(
+            nurbs_create(1, &degree, &count, VALUES(0, 0, b, b), 4, 1, VALUES(0, 1), 0, 0, NULL, 0, 0, &g));
+        CHECK_OK(nurbs_reparametrize_moebius(g, 0, r, &h));
+        CHECK_KNOTS(h, 0, VALUES(0, 0, b, b));
+        CHECK_WEIGHTS(h, VALUES(1, r));
+        nurbs_destroy(h);
+        nurbs_destroy(g);
+    }
+}
+
+/* Equal weights stay as they are, also where the basis functions at unclamped ends sum to 1 but for rounding.
+ */
+static void already_equal(void) {
+    static const int32_t degree = 3;
+    static const int64_t count = 5;
+    for (int i = 1; i < 50; ++i) {
+        double knots[9];
+        for (int k = 0; k < 9; ++k) {
+            knots[k] = k + 0.4 * sin(k * i);
+        }
+        nurbs *g = NULL, *h = NULL;
+        int32_t rational = -1;
+        CHECK_OK(nurbs_create(1, &degree, &count, knots, 9, 1, VALUES(0, 1, 3, 2, 5), 0, 0, NULL, 0, 0, &g));
+        CHECK_OK(nurbs_equalize_end_weights(g, 0, &h));
+        CHECK_OK(nurbs_is_rational(h, &rational));
+        CHECK(rational == 0);
+        CHECK_KNOTS(h, 0, knots);
+        nurbs_destroy(h);
+        nurbs_destroy(g);
+    }
+}
+
 static void equalized(void) {
     nurbs *g = weighted(2, 3, 8), *h = NULL;
     CHECK_OK(nurbs_equalize_end_weights(g, 0, &h)); /* rho = 1/2: 2, 3/2, 8/4 */
@@ -108,6 +157,8 @@ static void equalized(void) {
 int main(void) {
     normalized();
     mapped();
+    extreme_ratios();
+    already_equal();
     equalized();
     return check_summary("weights");
 }

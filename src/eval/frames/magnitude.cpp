@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "spline/active_part.h"
+#include "spline/at_origin.h"
 #include "spline/axis_view.h"
 
 #include <algorithm>
@@ -93,7 +94,7 @@ public:
     [[nodiscard]] Powers powers() const noexcept {
         Powers powers{.coordinates = coordinates_.power(), .weights = weights_.power(), .knots = {}};
         for (size_t k = 0; k < axes_.size(); ++k) {
-            powers.knots[k] = kept_apart({axes_[k]}, spans_[k].power());
+            powers.knots[k] = kept_apart({&axes_[k], 1}, spans_[k].power());
         }
         return powers;
     }
@@ -122,6 +123,15 @@ void widen(const AxisView &view, int degree, std::vector<RecordSize> &sizes) {
     }
 }
 
+// The sizes of all control points, each alone.
+Sizes sizes_of_points(const Spline &spline) {
+    Sizes sizes(spline);
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        sizes.add(size_of(spline, i));
+    }
+    return sizes;
+}
+
 // The sizes of all windows of control points that are active together.
 Sizes sizes_of_windows(const Spline &spline) {
     std::vector<RecordSize> sizes;
@@ -142,33 +152,53 @@ Sizes sizes_of_windows(const Spline &spline) {
     return result;
 }
 
+// Whether a spline is of usual magnitude after multiplication by powers of two. In most splines each single
+// point is.
+bool usual_times(const Spline &spline, const Powers &powers) {
+    return sizes_of_points(spline).usual(powers) || sizes_of_windows(spline).usual(powers);
+}
+
+// The largest |coordinate| of a control point that is not at infinity.
+double largest_coordinate(const Spline &spline) noexcept {
+    const bool homogeneous = spline.form() == Form::homogeneous;
+    double largest = 0;
+    for (int64_t i = 0; i < spline.point_count(); ++i) {
+        const RecordSize size = size_of(spline, i);
+        const double length = homogeneous ? size.coordinates / size.weight : size.coordinates;
+        largest = std::isfinite(length) ? std::max(largest, length) : largest;
+    }
+    return largest;
+}
+
 // The magnitude of a spline, found once and kept with it.
 struct Extent {
     bool usual = true;
+    bool moved = false; // whether runs take the spline moved to the origin, or parts of it
     double size = 0;
+    double run_size = 0;
     Powers powers;  // by which the copy is multiplied
     SplinePtr copy; // of usual magnitude; null if not needed, or impossible
 };
 
-Extent find_extent(const Spline &given) {
-    const Spline &spline = given.effective();
-    const bool homogeneous = spline.form() == Form::homogeneous;
-    Extent extent;
-    Sizes alone(spline); // in most splines each single point is usual
-    for (int64_t i = 0; i < spline.point_count(); ++i) {
-        const RecordSize size = size_of(spline, i);
-        alone.add(size);
-        const double length = homogeneous ? size.coordinates / size.weight : size.coordinates;
-        extent.size = std::isfinite(length) ? std::max(extent.size, length) : extent.size;
-    }
-    if (alone.usual({})) {
-        return extent;
-    }
-    const Sizes windows = sizes_of_windows(spline);
-    extent.usual = windows.usual({});
+void take_copy(const Spline &source, Extent &extent) {
+    const Sizes windows = sizes_of_windows(source);
+    extent.usual = false;
     extent.powers = windows.powers();
-    if (!extent.usual && windows.usual(extent.powers)) {
-        extent.copy = scaled(spline, extent.powers);
+    extent.copy = windows.usual(extent.powers) ? scaled(source, extent.powers) : nullptr;
+    extent.run_size = largest_coordinate(source);
+}
+
+// Derivatives are those of the spline moved to the origin, which may be tiny although its place is not.
+Extent find_extent(const Spline &given) {
+    const Spline &spline = given.effective(), &moved = at_origin(given);
+    Extent extent;
+    extent.size = extent.run_size = largest_coordinate(spline);
+    if (!usual_times(spline, {})) {
+        take_copy(spline, extent);
+    }
+    extent.moved = &moved != &given && !usual_times(moved, extent.powers);
+    if (extent.moved) {
+        take_copy(moved, extent);
     }
     return extent;
 }
@@ -223,7 +253,7 @@ Powers powers_of_part(const Spline &part) noexcept {
                   .weights = -exponent_of(largest.weight),
                   .knots = {}};
     for (int k = 0; k < part.axes(); ++k) {
-        powers.knots[static_cast<size_t>(k)] = kept_apart({part.knot_vectors()[static_cast<size_t>(k)]},
+        powers.knots[static_cast<size_t>(k)] = kept_apart({&part.knot_vectors()[static_cast<size_t>(k)], 1},
                                                           slope_exponent(part, k) + powers.size(part));
     }
     return powers;
@@ -296,7 +326,8 @@ private:
         if (spans[0] < 0) {
             return run_copy(spline_, {}, first, count);
         }
-        const SplinePtr part = active_part(spline_.effective(), spans);
+        const Spline &source = extent_of(spline_).moved ? at_origin(spline_) : spline_.effective();
+        const SplinePtr part = active_part(source, spans);
         const Powers powers = powers_of_part(*part);
         run_copy(*scaled(*part, powers), powers, first, count);
     }
@@ -328,6 +359,10 @@ bool usual_magnitude(const Spline &spline) {
 
 double active_size(const Spline &spline) {
     return extent_of(spline).size;
+}
+
+double size_of_runs(const Spline &spline) {
+    return extent_of(spline).run_size;
 }
 
 std::vector<int64_t> for_each_magnitude(const Spline &spline, const AxisRules &rules, ConstRecords params,

@@ -227,7 +227,7 @@ void frames_of_usual_size(const Spline &spline, const AxisRules &rules, ConstRec
 // share one magnitude.
 void frames_of_any_size(const Spline &spline, const AxisRules &rules, ConstRecords params,
                         const double *first_normal, const MinimalFrames &out) {
-    const double size = active_size(spline);
+    const double size = size_of_runs(spline);
     const int power = size > 0 ? -std::ilogb(size) : 0;
     std::vector<PlaceAndTangent> found_places(static_cast<size_t>(params.count));
     const std::vector<int64_t> order =

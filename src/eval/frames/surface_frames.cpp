@@ -177,11 +177,12 @@ std::vector<double> list_of(const std::array<ConstRecords, max_axes> &params) {
 
 void surface_frames(const Spline &spline, const AxisRules &rules, ConstRecords params,
                     const SurfaceFrames &out) {
-    usual_magnitude(spline) ? frames_of_usual_size(spline, rules, params, out)
-                            : frames_of_any_size(spline, rules, params, params, out);
-    if (params.count == 1) {
+    const bool usual = usual_magnitude(spline);
+    if (params.count == 1) { // first, because it may fail, and a failing call must write nothing
         keep_single_frame_tables(spline);
     }
+    usual ? frames_of_usual_size(spline, rules, params, out)
+          : frames_of_any_size(spline, rules, params, params, out);
 }
 
 void surface_frames(const Spline &spline, const AxisRules &rules,

@@ -99,7 +99,8 @@ public:
         : spline_(spline), axes_(static_cast<size_t>(spline.axes())), dim_(static_cast<size_t>(spline.dim())),
           active_(spline.knot_vectors(), rules, highest(spline.axes())),
           tangents_(spline.axes(), spline.dim()), slopes_(axes_ * static_cast<size_t>(active_.size())),
-          points_(static_cast<size_t>(active_.size())), values_(points_.size()), derivatives_(axes_ * dim_) {}
+          slope_noise_(slopes_.size()), points_(static_cast<size_t>(active_.size())), values_(points_.size()),
+          derivatives_(axes_ * dim_) {}
 
     // The work of one parameter, in multiply-adds.
     [[nodiscard]] int64_t work() const noexcept {
@@ -134,64 +135,87 @@ private:
         return orders;
     }
     [[nodiscard]] double &slope(size_t k, size_t j) noexcept { return slopes_[k * points_.size() + j]; }
+    [[nodiscard]] double &slope_noise(size_t k, size_t j) noexcept {
+        return slope_noise_[k * points_.size() + j];
+    }
 
     // Computes the slopes (N_j,k - N_j w,k / w) / w of all active functions j along all axes k, and the
     // derivatives of the spline. The products of the slopes with the weights w_j sum to 0 over j. So the
     // derivatives can be summed over the differences of control points from one of them, and the position of
     // the spline does not enter their rounding errors. Returns false if w is not finite.
     bool set_slopes() noexcept {
-        double weight = 0;
+        double weight = 0, size = 0; // the sum of N_j w_j, and that of the magnitudes
         size_t j = 0;
         active_.for_each([&](int64_t point, double value) {
             points_[j] = point;
             values_[j++] = value;
             weight += value * spline_.weight(point);
+            size += std::abs(value) * std::abs(spline_.weight(point));
         });
         weight = spline_.rational() ? weight : 1;
         for (size_t k = 0; k < axes_; ++k) {
-            Orders orders{};
-            orders[k] = 1;
-            double change = 0;
-            j = 0;
-            active_.for_each(orders, [&](int64_t point, double value) {
-                slope(k, j++) = value;
-                change += value * spline_.weight(point);
-            });
-            const double rate = spline_.rational() ? change / weight : 0;
-            steepness_[k] = 0;
-            for (j = 0; j < points_.size(); ++j) {
-                const double own = slope(k, j), drift = values_[j] * rate,
-                             share = std::abs(spline_.weight(points_[j]) / weight);
-                steepness_[k] += share * (std::abs(own) + std::abs(drift));
-                slope(k, j) = (own - drift) / weight;
-            }
+            set_slopes(k, weight, size);
         }
         set_derivatives();
         return std::isfinite(weight);
     }
+    void set_slopes(size_t k, double weight, double size) noexcept {
+        Orders orders{};
+        orders[k] = 1;
+        double change = 0, change_noise = 0;
+        size_t j = 0;
+        set_terms(k);
+        active_.for_each(orders, [&](int64_t point, double value) {
+            slope_noise(k, j) = terms(k, j);
+            change_noise += slope_noise(k, j) * std::abs(spline_.weight(point));
+            slope(k, j++) = value;
+            change += value * spline_.weight(point);
+        });
+        const double rate = spline_.rational() ? change / weight : 0;
+        const double rate_noise =
+            spline_.rational() ? (change_noise + std::abs(rate) * size) / std::abs(weight) : 0;
+        for (j = 0; j < points_.size(); ++j) {
+            slope(k, j) = (slope(k, j) - values_[j] * rate) / weight;
+            slope_noise(k, j) =
+                64 * eps * ((slope_noise(k, j) + std::abs(values_[j]) * rate_noise) / std::abs(weight));
+        }
+    }
+    // The derivative of a basis function of axis k is the difference N'_i = c_i - c_(i+1) of two functions of
+    // the lower degree, times their factors. It has an error of a few eps of c_i + c_(i+1), which neighbouring
+    // derivatives give: c_(i+1) is minus the sum of N'_0, ..., N'_i.
+    void set_terms(size_t k) noexcept {
+        const double *derivatives = active_.functions(k, 1);
+        double before = 0;
+        for (int i = 0; i <= active_.degree(k); ++i) {
+            const double after = before - derivatives[i];
+            terms_[static_cast<size_t>(i)] = std::abs(before) + std::abs(after) + std::abs(derivatives[i]);
+            before = after;
+        }
+    }
+    // The same for the product over the axes that belongs to active point j.
+    [[nodiscard]] double terms(size_t k, size_t j) const noexcept {
+        double product = 1;
+        for (size_t m = axes_; m-- > 0;) {
+            const auto functions = static_cast<size_t>(active_.degree(m)) + 1, i = j % functions;
+            product *= m == k ? terms_[i] : std::abs(active_.functions(m, 0)[i]);
+            j /= functions;
+        }
+        return product;
+    }
     void set_derivatives() noexcept {
         const auto first = std::ranges::find_if(points_, [&](int64_t i) { return spline_.weight(i) > 0; });
         std::ranges::fill(derivatives_, 0);
-        double reach = 0; // the largest coordinate of a difference
+        noise_ = {};
         for (size_t c = 0; c < dim_; ++c) {
             const double origin =
                 first == points_.end() ? 0 : spline_.coordinate(*first, static_cast<int>(c));
             for (size_t j = 0; j < points_.size(); ++j) {
                 const double away = difference(points_[j], static_cast<int>(c), origin);
-                const double weight = spline_.weight(points_[j]);
-                reach = std::max(reach, weight != 0 ? std::abs(away / weight) : 0);
                 for (size_t k = 0; k < axes_; ++k) {
                     derivatives_[k * dim_ + c] += slope(k, j) * away;
+                    noise_[k] += slope_noise(k, j) * std::abs(away);
                 }
             }
-        }
-        set_noise(reach);
-    }
-    // The derivative of a basis function has an error of a few eps of the magnitudes of the terms it is the
-    // difference of; these are comparable to the derivatives of neighbouring functions.
-    void set_noise(double reach) noexcept {
-        for (size_t k = 0; k < axes_; ++k) {
-            noise_[k] = 64 * eps * steepness_[k] * reach;
         }
     }
     // w (x - origin); for a control point at infinity, w x as stored.
@@ -207,10 +231,11 @@ private:
     size_t axes_, dim_;
     ActivePoints active_;
     Tangents tangents_;
-    std::vector<double> slopes_; // [axes][active points]
+    std::vector<double> slopes_, slope_noise_; // [axes][active points]; bounds of their errors
     std::vector<int64_t> points_;
-    std::vector<double> values_, derivatives_;           // derivatives_: [axes][dim]
-    std::array<double, max_axes> steepness_{}, noise_{}; // sums of |slopes|; bounds of errors of derivatives
+    std::vector<double> values_, derivatives_; // derivatives_: [axes][dim]
+    std::array<double, max_basis> terms_{};
+    std::array<double, max_axes> noise_{}; // bounds of the errors of derivatives
 };
 
 } // namespace

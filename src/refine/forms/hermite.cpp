@@ -5,6 +5,7 @@
 #include "refine/parts/cut.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::refine {
 
@@ -34,12 +35,18 @@ void add_record(const Spline &net, int64_t layer, std::vector<double> &records) 
     records.insert(records.end(), first, first + net.dim());
 }
 
+// degree (b - a) / h, where degree (b - a) may overflow.
+double slope(double a, double b, int degree, double h) noexcept {
+    const double leg = degree * (b - a);
+    return std::isfinite(leg) ? leg / h : 8 * (degree * (b / 8 - a / 8) / h);
+}
+
 // Appends the derivative of a Bezier piece along the leg from a layer to the next one.
 void add_slope(const Spline &net, int64_t layer, double h, std::vector<double> &slopes) {
     const int degree = net.axis(0).degree(), dim = net.dim();
     for (int64_t at = layer * dim; at < (layer + 1) * dim; ++at) {
         const auto value = [&](int64_t i) { return net.points()[static_cast<size_t>(i)]; };
-        slopes.push_back(degree == 0 ? 0.0 : degree * (value(at + dim) - value(at)) / h);
+        slopes.push_back(degree == 0 ? 0.0 : slope(value(at), value(at + dim), degree, h));
     }
 }
 

@@ -30,19 +30,31 @@ namespace {
 // and small distances from an end stay accurate.
 class AffineMap {
 public:
-    AffineMap(Interval from, Interval to) noexcept
-        : from_(from), to_(to), factor_((to.upper - to.lower) / (from.upper - from.lower)) {}
+    AffineMap(Interval from, Interval to) noexcept : from_(from), to_(to) {
+        const double before = from.upper - from.lower, after = to.upper - to.lower;
+        factor_ = after / before;
+        if (!std::isnormal(factor_)) {
+            const int of_before = std::ilogb(before), of_after = std::ilogb(after);
+            factor_ = std::ldexp(after, -of_after) / std::ldexp(before, -of_before);
+            exponent_ = of_after - of_before;
+        }
+    }
 
     [[nodiscard]] double operator()(double t) const noexcept {
         const double behind = t - from_.lower;
         const double ahead = from_.upper - t;
-        return behind < ahead ? to_.lower + behind * factor_ : to_.upper - ahead * factor_;
+        return behind < ahead ? to_.lower + stretched(behind) : to_.upper - stretched(ahead);
     }
 
 private:
+    [[nodiscard]] double stretched(double length) const noexcept {
+        return std::ldexp(length * factor_, exponent_);
+    }
+
     Interval from_;
     Interval to_;
-    double factor_;
+    double factor_; // times 2^exponent_, which is 1 unless the factor leaves the range of normal doubles
+    int exponent_ = 0;
 };
 
 std::vector<double> mapped(const KnotVector &axis, int k, std::span<const double> knots, Interval to) {
@@ -106,6 +118,10 @@ SplinePtr reparametrize(const SplinePtr &spline, int axis, Interval domain) {
     const KnotVector &old = spline->axis(axis);
     if (domain.lower == old.domain().lower && domain.upper == old.domain().upper) {
         return spline;
+    }
+    if (!std::isfinite(domain.upper - domain.lower)) {
+        fail(Status::not_representable, "[lower, upper] = [%s, %s] of axis %d is too long",
+             Number(domain.lower).text, Number(domain.upper).text, axis);
     }
     std::vector<double> knots = mapped(old, axis, old.knots(), domain);
     return std::make_shared<const Spline>(

@@ -40,15 +40,16 @@ ScaledPower scaled_power(double h, int k) noexcept {
     return {fraction, k * exponent};
 }
 
-// In place: forward differences, and below their inverse, of degree + 1 layers of `inner` values each.
-void differences(double *layers, int degree, int64_t inner) noexcept {
+// In place: forward differences of degree + 1 values.
+void differences(double *values, int degree) noexcept {
     for (int r = 1; r <= degree; ++r) {
-        for (int64_t i = (degree + 1) * inner; i-- > r * inner;) {
-            layers[i] -= layers[i - inner];
+        for (int i = degree; i >= r; --i) {
+            values[i] -= values[i - 1];
         }
     }
 }
 
+// In place: the inverse, of degree + 1 layers of `inner` values each.
 void sums(double *layers, int degree, int64_t inner) noexcept {
     for (int r = degree; r >= 1; --r) {
         for (int64_t i = r * inner; i < (degree + 1) * inner; ++i) {
@@ -57,15 +58,25 @@ void sums(double *layers, int degree, int64_t inner) noexcept {
     }
 }
 
+// Differences times binomials over fractions are below 2^92 times the largest value. They may overflow where
+// the coefficients do not, unless the values are lowered by a power of two before.
 void bezier_to_power(double *layers, int degree, int64_t inner, double h) noexcept {
-    differences(layers, degree, inner);
-    for (int k = 1; k <= degree; ++k) {
-        const auto [fraction, exponent] = scaled_power(h, k);
-        const double times = binomial(degree, k);
-        std::for_each_n(layers + k * inner, inner,
-                        [fraction = fraction, exponent = exponent, times](double &x) {
-                            x = std::ldexp(times * x / fraction, -exponent);
-                        });
+    constexpr int room = 128;
+    constexpr double limit = 0x1p895;
+    double values[max_degree + 1];
+    for (int64_t j = 0; j < inner; ++j) {
+        for (int k = 0; k <= degree; ++k) {
+            values[k] = layers[k * inner + j];
+        }
+        const auto size = static_cast<size_t>(degree) + 1;
+        const int lowered = largest_magnitude({values, size}) < limit ? 0 : room;
+        std::for_each_n(values, size, [lowered](double &x) { x = std::ldexp(x, -lowered); });
+        differences(values, degree);
+        for (int k = 1; k <= degree; ++k) {
+            const auto [fraction, exponent] = scaled_power(h, k);
+            layers[k * inner + j] =
+                std::ldexp(binomial(degree, k) * values[k] / fraction, lowered - exponent);
+        }
     }
 }
 
@@ -116,6 +127,17 @@ SplinePtr of_records(const SplinePtr &spline) {
                                           std::move(records), std::vector<double>());
 }
 
+void check_finite(const PowerForm &form, bool rational) {
+    if (all_finite(form.coefficients)) {
+        return;
+    }
+    const auto bad = std::ranges::find_if_not(form.coefficients, [](double x) { return std::isfinite(x); });
+    const auto place = bad - form.coefficients.begin(), record = place / form.width, c = place % form.width;
+    fail(rational && c + 1 == form.width ? Status::weight_not_finite : Status::point_not_finite,
+         "coefficients[%lld][%lld] = %s is not finite", static_cast<long long>(record),
+         static_cast<long long>(c), Number(*bad).text);
+}
+
 } // namespace
 
 PowerForm to_power(const SplinePtr &spline) {
@@ -139,15 +161,13 @@ PowerForm to_power(const SplinePtr &spline) {
 }
 
 SplinePtr from_power(PowerForm form, bool rational) {
+    check_finite(form, rational);
     std::vector<double> net;
     net.reserve(form.coefficients.size() + Spline::padding);
     net.resize(form.coefficients.size());
     order_of(form).put_together(form.width, form.coefficients.data(), net.data());
-    const bool given = all_finite(net);
     along_all(net, form, power_to_bezier);
-    if (given) { // else make_spline() names the value that is not finite
-        require_representable(net, "points");
-    }
+    require_representable(net, "points");
     Spline::Axes axes;
     for (size_t k = 0; k < form.degrees.size(); ++k) {
         std::vector<double> knots;

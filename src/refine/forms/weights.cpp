@@ -47,28 +47,41 @@ SplinePtr with_weights(const Spline &spline, Spline::Axes axes, Map &&map) {
 // The rational linear map of [lower, upper] to itself whose derivative at the lower end is 1 / rho.
 class Moebius {
 public:
-    Moebius(Interval domain, double rho) noexcept : domain_(domain), rho_(rho) {}
+    Moebius(Interval domain, double rho) noexcept
+        : domain_(domain), rho_(rho), exponent_(-1 - std::ilogb(length())) {}
 
     // Whether t lies on the same side of the pole as the domain.
-    [[nodiscard]] bool reaches(double t) const noexcept { return denominator(t) > 0; }
+    [[nodiscard]] bool reaches(double t) const noexcept { return terms(t).sum() > 0; }
     [[nodiscard]] double operator()(double t) const noexcept {
-        const double after = t - domain_.lower, ahead = rho_ * (domain_.upper - t);
-        const double length = domain_.upper - domain_.lower;
-        return after < ahead ? domain_.lower + length * (after / denominator(t))
-                             : domain_.upper - length * (ahead / denominator(t));
+        const Terms at = terms(t);
+        return at.after < at.ahead ? domain_.lower + length() * (at.after / at.sum())
+                                   : domain_.upper - length() * (at.ahead / at.sum());
     }
     // The factor of the weights that belongs to a knot t: 1 at the lower end of the domain, rho at the upper
     // one.
     [[nodiscard]] double factor(double t) const noexcept {
-        return rho_ * ((domain_.upper - domain_.lower) / denominator(t));
+        const Terms at = terms(t);
+        return at.common * (std::ldexp(length(), exponent_) / at.sum());
     }
 
 private:
-    [[nodiscard]] double denominator(double t) const noexcept {
-        return rho_ * (domain_.upper - t) + (t - domain_.lower);
+    // The terms t - lower and rho (upper - t) of the denominator, divided by rho / common and by the power of
+    // two that brings the length of the domain below 1. The larger term is the one that rho does not enter,
+    // so that no rho makes it overflow or vanish, and both ends have exact factors.
+    struct Terms {
+        double after, ahead, common;
+        [[nodiscard]] double sum() const noexcept { return after + ahead; }
+    };
+    [[nodiscard]] Terms terms(double t) const noexcept {
+        const double after = std::ldexp(t - domain_.lower, exponent_);
+        const double ahead = std::ldexp(domain_.upper - t, exponent_);
+        return after < rho_ * ahead ? Terms{after / rho_, ahead, 1} : Terms{after, rho_ * ahead, rho_};
     }
+    [[nodiscard]] double length() const noexcept { return domain_.upper - domain_.lower; }
+
     Interval domain_;
     double rho_;
+    int exponent_;
 };
 
 std::vector<double> mapped_knots(const KnotVector &axis, int k, const Moebius &map) {
@@ -203,7 +216,9 @@ SplinePtr reparametrize_moebius(const SplinePtr &spline, int axis, double ratio)
 
 SplinePtr equalize_end_weights(const SplinePtr &spline, int axis) {
     const double ratio =
-        common_ratio(end_weights(*spline, axis, false), end_weights(*spline, axis, true), axis);
+        equal_weights(*spline) // whose sums at the ends may differ by rounding
+            ? 1
+            : common_ratio(end_weights(*spline, axis, false), end_weights(*spline, axis, true), axis);
     return reparametrize_moebius(spline, axis, ratio);
 }
 

@@ -47,7 +47,8 @@ void add_taylor_row(const LayerTable &known, int order, int s, int64_t count, La
     table.add_row(count - 1 - order, sum.data(), order + 1);
 }
 
-void check_longer(double amount, Interval domain, double end, int axis) {
+void check_longer(double amount, const KnotVector &knots, double end, int axis) {
+    const Interval domain = knots.domain();
     if (!std::isfinite(amount)) {
         fail(Status::parameter_not_finite, "amount = %s is not finite", Number(amount).text);
     }
@@ -58,8 +59,8 @@ void check_longer(double amount, Interval domain, double end, int axis) {
              "its rounding",
              Number(amount).text, axis, Number(domain.upper - domain.lower).text);
     }
-    if (!std::isfinite(end - domain.lower)) {
-        fail(Status::not_representable, "the domain of axis %d, longer by amount = %s, overflows", axis,
+    if (!std::isfinite(end - knots[0])) {
+        fail(Status::not_representable, "the knots of axis %d, longer by amount = %s, overflow", axis,
              Number(amount).text);
     }
 }
@@ -149,9 +150,9 @@ AxisTable extended_axis(const KnotVector &axis, double end, int order) {
 namespace {
 
 SplinePtr extend_upper(const SplinePtr &spline, int axis, double amount, int order, bool reversed) {
-    const Interval domain = spline->axis(axis).domain();
-    const double end = domain.upper + amount;
-    check_longer(amount, domain, end, axis);
+    const KnotVector &given = spline->axis(axis);
+    const double end = given.domain().upper + amount;
+    check_longer(amount, given, end, axis);
     const SplinePtr whole = clamp_ends(spline, axis, {false, true});
     const KnotVector &knots = whole->axis(axis);
     return continued(*whole, axis, extended_axis(knots, end, std::min(order, knots.degree())), reversed,

@@ -155,6 +155,9 @@ private:
                                          : p.points[i * (dim_ + 1) + dim_];
     }
     [[nodiscard]] double distance(size_t a, size_t b, double factor) const noexcept {
+        if (form_ == Form::rational && (before_.weights[a] == 0 || after_.weights[b] == 0)) {
+            return 0; // no shape depends on where a point of weight 0 is
+        }
         const bool homogeneous = form_ == Form::homogeneous;
         const size_t width = homogeneous ? dim_ + 1 : dim_;
         const double wa = homogeneous ? weight(before_, a) : 1, wb = homogeneous ? weight(after_, b) : 1;
@@ -188,6 +191,10 @@ void append_knots(std::vector<double> &knots, const KnotVector &part, size_t ind
     const double start = knots.back(), lower = part.domain().lower;
     for (int64_t i = part.degree() + 1; i < std::ssize(part.knots()); ++i) {
         const double moved = start == lower ? part[i] : start + (part[i] - lower);
+        if (!std::isfinite(moved - knots.front())) {
+            fail(Status::not_representable, "parts[%zu]: moved to begin at %s, its knots overflow", index,
+                 Number(start).text);
+        }
         if (part[i] > part[i - 1] && !(moved > knots.back())) {
             fail(Status::knots_merge,
                  "parts[%zu]: moved to begin at %s, knots[%lld] = %s and knots[%lld] = %s would become one",

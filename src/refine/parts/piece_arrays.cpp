@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace nrb::refine {
 
@@ -22,35 +23,36 @@ PieceOrder order_of(const Spline &spline) {
     return PieceOrder({axes.data(), static_cast<size_t>(spline.axes())});
 }
 
-// The weights of a net in homogeneous form, as an array.
-std::vector<double> weights_of(const Spline &whole) {
-    std::vector<double> weights(static_cast<size_t>(whole.point_count()));
-    for (int64_t i = 0; i < whole.point_count(); ++i) {
-        weights[static_cast<size_t>(i)] = whole.weight(i);
+// The points and weights of a net, copied where it is homogeneous and they are wanted.
+class NetArrays {
+public:
+    NetArrays(const Spline &whole, bool with_points, bool with_weights)
+        : whole_(whole), homogeneous_(whole.form() == Form::homogeneous) {
+        if (homogeneous_ && with_points) {
+            points_ = cartesian_points(whole);
+        }
+        for (int64_t i = 0; homogeneous_ && with_weights && i < whole.point_count(); ++i) {
+            weights_.push_back(whole.weight(i));
+        }
     }
-    return weights;
-}
 
-void write_weights(const Spline &whole, const PieceOrder &order, double *weights) {
-    switch (whole.form()) {
-    case Form::polynomial:
-        std::fill_n(weights, whole.point_count(), 1.0);
-        break;
-    case Form::rational:
-        order.take_apart(1, whole.weights().data(), weights);
-        break;
-    case Form::homogeneous:
-        order.take_apart(1, weights_of(whole).data(), weights);
+    void write_points(const PieceOrder &order, double *points) const noexcept {
+        order.take_apart(whole_.dim(), homogeneous_ ? points_.data() : whole_.points().data(), points);
     }
-}
+    void write_weights(const PieceOrder &order, double *weights) const noexcept {
+        if (whole_.rational()) {
+            order.take_apart(1, homogeneous_ ? weights_.data() : whole_.weights().data(), weights);
+        } else {
+            std::fill_n(weights, whole_.point_count(), 1.0);
+        }
+    }
 
-void write_points(const Spline &whole, const PieceOrder &order, double *points) {
-    if (whole.form() == Form::homogeneous) {
-        order.take_apart(whole.dim(), cartesian_points(whole).data(), points);
-    } else {
-        order.take_apart(whole.dim(), whole.points().data(), points);
-    }
-}
+private:
+    const Spline &whole_;
+    bool homogeneous_;
+    std::vector<double> points_;
+    std::vector<double> weights_;
+};
 
 void write_domains(const Spline &spline, int64_t pieces, double *domains) {
     for (int64_t i = 0; i < pieces; ++i) {
@@ -95,11 +97,12 @@ void write_pieces(const SplinePtr &spline, const PieceArrays &arrays) {
     const PieceOrder order = order_of(*spline);
     if (arrays.points != nullptr || arrays.weights != nullptr) {
         const PartedSpline pieces = bezier_pieces(spline);
+        const NetArrays net(pieces.whole(), arrays.points != nullptr, arrays.weights != nullptr);
         if (arrays.points != nullptr) {
-            write_points(pieces.whole(), order, arrays.points);
+            net.write_points(order, arrays.points);
         }
         if (arrays.weights != nullptr) {
-            write_weights(pieces.whole(), order, arrays.weights);
+            net.write_weights(order, arrays.weights);
         }
     }
     if (arrays.domains != nullptr) {

@@ -2,6 +2,7 @@
 #include "refine/periodic/seam.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nrb::refine {
 
@@ -25,6 +26,9 @@ std::vector<double> moved_knots(const KnotVector &axis, int64_t from) {
 
 // Checks that knots moved by a period are equal if and only if their originals are.
 void check_moved(const KnotVector &axis, int64_t from, const std::vector<double> &knots) {
+    if (!std::isfinite(knots.back() - knots.front())) {
+        fail(Status::not_representable, "seam: knots overflow when they are moved by a period");
+    }
     const int64_t distinct = axis.distinct_layers();
     for (int64_t i = 0; i + 1 < std::ssize(knots); ++i) {
         const int64_t old = (from + i) % distinct;
