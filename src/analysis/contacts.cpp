@@ -86,7 +86,7 @@ double signed_hull(const Spline &spline, const Spline &boundary) {
 double rounding_of_boundary(const Spline &spline, int axis, bool upper, const Spline &boundary) {
     return rounding_of(spline, axis, upper, [&] {
         return spline.form() == Form::homogeneous
-                   ? signed_hull(spline, boundary)
+                   ? signed_hull(spline.effective(), boundary.effective())
                    : largest_magnitude(refine::cartesian_points(spline.effective()));
     });
 }
