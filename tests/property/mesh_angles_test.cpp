@@ -133,7 +133,7 @@ TEST(MeshAngles, triangles_of_surfaces_have_no_small_angles) {
             expect_shape_near(ground.surface.get(), nullptr, mesh, random, 2000);
             expect_mesh_near(ground.surface.get(), mesh, random, 500);
             EXPECT_EQ(free_sides(sides_of(mesh)),
-                      free_sides(sides_of(refined(ground.surface.get(), 0.02, 1e-6)))); // none is divided
+                      free_sides(sides_of(refined(ground.surface.get(), 0.02, 0)))); // none is divided
         }
     }
 }

@@ -19,6 +19,10 @@ constexpr int64_t most_nets = 32;
 // Multiply-adds, estimated, of looking at a net, for each of its numbers.
 constexpr int64_t work_for_a_number = 8;
 
+// The share of the chord for cells at an end of the domain. Those that turn out too coarse are divided, but sides at the
+// border are not divided for the sake of angles.
+constexpr double share_at_border = 0.85;
+
 // Work of the estimates that decide whether a cell is cut, and of everything else that is done for it.
 constexpr int64_t work_of_a_cell = 800;
 
@@ -128,14 +132,15 @@ void CellTree::Builder::look_at(Item item) {
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
     bend.alone = at_border(item);
-    const bool bent = !(bend.in_parts(1, 1) <= rule_.chord);
+    const double chord = rule_.chord * (bend.alone ? share_at_border : rule_.inner);
+    const bool bent = !(bend.in_parts(1, 1) <= chord);
     const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
     const bool flat = found.whole && found.box.certain() && !bent && small && !is_turned(found.box);
     const bool hopeless = !grid_.positive() && item.divisions >= most_divisions;
     const bool wide = side != Side::outside && wide_axis(item.part).has_value(); // cut whatever it costs
     const bool enough = flat || side == Side::outside || hopeless || work_ended();
     const auto cut = [&] {
-        return bent && !wide ? best_cut(bend, rule_.chord) : cut_of_flat(item.part, found.box);
+        return bent && !wide ? best_cut(bend, chord) : cut_of_flat(item.part, found.box);
     };
     if ((enough && !wide) || !divide(item, cut())) {
         const bool done = flat || side == Side::outside || hopeless || !work_ended();

@@ -21,6 +21,7 @@ inline constexpr double least_for_angles = 1e-5;
 // Lengths are in the units of the grid.
 struct CellRule {
     double chord = infinity; // largest deviation
+    double inner = 1;        // the share of it for cells that are not at an end of the domain
     double longest = 0;      // longest diagonal of a cell; 0: no limit
     double angle = 0;        // by which the normal may turn over a cell; 0: no limit
     double least = 0;        // what is no longer than this is not cut for the sake of an angle

@@ -17,9 +17,9 @@ namespace {
 // Cells are cut until the estimated distance is within this share of the chord: the rest is room for what a
 // proof adds to an estimate.
 constexpr double share_of_estimate = 0.97;
-// The same where small angles are refined: vertices are then placed by the planes of triangles, which must not bend
-// much.
-constexpr double share_for_least_angle = 0.7;
+// The part of it that cells inside use where small angles are refined: vertices are then placed by the planes of
+// triangles, which must not bend much. The border is the same as without.
+constexpr double inner_for_least_angle = 0.7;
 // Maximum number of rounds where edges are off the surface by more than the chord, which then is out of
 // reach.
 constexpr int most_rounds_off = 16;
@@ -74,7 +74,8 @@ bool DomainMesher::run() {
 
 CellRule DomainMesher::cell_rule() const {
     CellRule rule;
-    rule.chord = grid_.scaled(chord_) * (rule_.least_angle > 0 ? share_for_least_angle : share_of_estimate);
+    rule.chord = grid_.scaled(chord_) * share_of_estimate;
+    rule.inner = rule_.least_angle > 0 ? inner_for_least_angle : 1;
     rule.longest = grid_.scaled(longest_);
     rule.angle = angle_;
     rule.least = least_;
