@@ -19,8 +19,8 @@ constexpr int64_t most_nets = 32;
 // Multiply-adds, estimated, of looking at a net, for each of its numbers.
 constexpr int64_t work_for_a_number = 8;
 
-// The share of the chord for cells at an end of the domain. Those that turn out too coarse are divided, but sides at the
-// border are not divided for the sake of angles.
+// The share of the chord for cells at an end of the domain, unless there is a single row of them. Those that turn out
+// too coarse are divided, but sides at the border are not divided for the sake of angles.
 constexpr double share_at_border = 0.85;
 
 // Work of the estimates that decide whether a cell is cut, and of everything else that is done for it.
@@ -131,8 +131,10 @@ void CellTree::Builder::look_at(Item item) {
     }
     const Found found = box_of(item, side == Side::outside);
     CellBend bend = bend_of(found.box);
-    bend.alone = at_border(item);
-    const double chord = rule_.chord * (bend.alone ? share_at_border : rule_.inner);
+    // Elsewhere there are other triangles where the surface comes out over a side of a triangle.
+    const int ends = std::max(ends_at(item, 0), ends_at(item, 1));
+    bend.alone = ends > 0;
+    const double chord = rule_.chord * (ends == 0 ? rule_.inner : ends == 1 ? share_at_border : 1);
     const bool bent = !(bend.in_parts(1, 1) <= chord);
     const bool small = !(rule_.longest > 0) || found.box.move(1, 1) <= rule_.longest;
     const bool flat = found.whole && found.box.certain() && !bent && small && !is_turned(found.box);
@@ -154,15 +156,10 @@ Side CellTree::Builder::side_of(const Item &item) const {
     return !rule_.side || item.side == Side::inside ? Side::inside : rule_.side(item.part);
 }
 
-// Whether an item is at an end of the domain. Elsewhere there are other triangles where the surface comes out
-// over a side of a triangle.
-bool CellTree::Builder::at_border(const Item &item) const noexcept {
-    bool result = false;
-    for (size_t k = 0; k < 2; ++k) {
-        result = result || item.part.lower[k] == tree_.block_ends_[k].front() ||
-                 item.part.upper[k] == tree_.block_ends_[k].back();
-    }
-    return result;
+// How many ends of the domain along axis k an item is at.
+int CellTree::Builder::ends_at(const Item &item, size_t k) const noexcept {
+    const auto &ends = tree_.block_ends_[k];
+    return (item.part.lower[k] == ends.front() ? 1 : 0) + (item.part.upper[k] == ends.back() ? 1 : 0);
 }
 
 // An axis along which a part is longer than cells may be, if there is one.

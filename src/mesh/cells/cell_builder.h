@@ -47,7 +47,7 @@ private:
     void add_block(const std::array<int64_t, 2> &block);
     int32_t add_line(size_t k, double t, bool from_left);
     void look_at(Item item);
-    [[nodiscard]] bool at_border(const Item &item) const noexcept;
+    [[nodiscard]] int ends_at(const Item &item, size_t k) const noexcept;
     [[nodiscard]] std::optional<size_t> wide_axis(const Rectangle &part) const noexcept;
     [[nodiscard]] bool is_turned(const HessianBox &box) const noexcept {
         return rule_.angle > 0 && turn_of(box, rule_.least).both > rule_.angle;
