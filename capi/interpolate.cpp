@@ -270,7 +270,7 @@ nurbs_status nurbs_parametrize(int32_t axes, const int64_t *counts, int32_t dim,
         require(params, "params");
         const Records out = output("params", params, sum_of(grid.counts), 1, 1, 1);
         check_overlap("params", out, "points", given);
-        check_overlap("params", params, out.count * 8, "counts", counts, axes * int64_t{8});
+        check_apart({memory("params", params, out.count)}, {memory("counts", counts, axes)});
         const std::vector<double> made =
             fit::parametrize(grid, values, static_cast<fit::ParameterRule>(rule), exponent);
         std::copy(made.begin(), made.end(), params);

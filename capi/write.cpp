@@ -61,9 +61,12 @@ void fill(std::span<unsigned char> out, const io::ByteSource &source) {
     });
 }
 
-// Writes to the caller's array only when all bytes are known: the source may run out of memory, and a watched
-// call may end early.
+// A watched call, which may end early, writes to the caller's array only when all bytes are known. Others write
+// there at once, since a mesh may be large.
 void fill_whole(std::span<unsigned char> out, const io::ByteSource &source) {
+    if (Watch::current() == nullptr) {
+        return fill(out, source);
+    }
     std::vector<unsigned char> whole(out.size());
     fill(whole, source);
     std::ranges::copy(whole, out.begin());

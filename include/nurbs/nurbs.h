@@ -9284,9 +9284,9 @@ NURBS_API nurbs_status nurbs_mesh_options_init(nurbs_mesh_options *options, int6
  * **Both distances are proven**: no point of the shape is farther from the mesh than `from_shape`, and no
  * point of the triangles is farther from the shape than `from_mesh`. Where the surface is far from its
  * triangle sideways, but over the triangles beside it, it is not far from the mesh. The bounds come from
- * second derivatives, which are bounded over a whole cell of the domain, and include what rounding may have
- * done to points and bounds. For small tolerances they are about the least possible; they are infinite where
- * nothing can be proven, as where weights pass through 0.
+ * second derivatives, which are bounded over a whole cell of the domain, and from the control points of what
+ * these leave; they include what rounding may have done to points and bounds. For small tolerances they are
+ * about the least possible; they are infinite where nothing can be proven, as where weights pass through 0.
  *
  * The domain is halved into cells until the two triangles over each keep to the limits, along the axis that
  * needs it more. Cells end where the surface may have a crease or a jump. Vertices are at corners of cells,
@@ -10012,6 +10012,9 @@ NURBS_API nurbs_status nurbs_list_write_file_with(const nurbs_list *list, const 
  * - **VTU**: vertices with points and parameters (`params`) in double precision and normals (`normals`);
  *   triangles with the numbers of their face and of its part (`face`, `part`, 0-based), and `colour` if any
  *   face has one.
+ *
+ * The bytes are written as they are made, without another copy: if memory runs out on the way
+ * (NURBS_ERROR_MEMORY), some may have been written.
  * \param[in] mesh a mesh.
  * \param[in] format NURBS_FORMAT_STL, _STL_TEXT, _OBJ, _PLY, _GLB or _VTU.
  * \param[in] options or NULL for the defaults: settings. The tolerance is not used.

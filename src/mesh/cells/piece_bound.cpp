@@ -22,12 +22,6 @@ TriangleBound PieceBound::bound(const std::array<TriangleCorner, 3> &corners, co
     }
     noise_ = 8 * eps * (longest + grid.radius()) + 4 * grid.value_error() * grid.radius();
     TriangleBound result;
-    const Vector3 product = cross(points_[1] - points_[0], points_[2] - points_[0]);
-    const double area = length(product);
-    if (area > 1e-12 * longest * longest) {
-        result.normal = (1 / area) * product;
-        result.altitude = area / longest * (1 - 16 * eps);
-    }
     for (int64_t u = pieces.lower[0]; u < pieces.upper[0]; ++u) {
         for (int64_t v = pieces.lower[1]; v < pieces.upper[1]; ++v) {
             const Rectangle part{{grid.break_at(0, u), grid.break_at(1, v)},

@@ -57,7 +57,7 @@ void MeshBound::add_corner(size_t triangle, size_t corner, Point &point) const n
     const double turned = bound.has_plane() ? length(bound.normal - point.normal) + 8 * eps : 2;
     point.turned = std::max(point.turned, turned);
     point.angle += bound.angles[corner];
-    point.altitude = std::min(point.altitude, bound.altitude);
+    point.altitude = std::min(point.altitude, bound.least_altitude());
     point.height = std::max(point.height, bound.height);
     point.out = std::max(point.out, bound.out);
     point.beside = std::max(point.beside, bound.beside);
@@ -131,8 +131,8 @@ Distances MeshBound::by_star(size_t triangle, const Around &around) const noexce
     const double cosine = 1 - around.turned * around.turned / 2;
     const double slope = around.turned / cosine, parting = 2.1 * around.turned / (cosine * cosine);
     const TriangleBound &own = bounds_[triangle];
-    return {std::max(own.height, own.height_beyond() + own.out * slope) * more,
-            (around.height / cosine + (around.out + around.height * slope) * parting) * more};
+    return {std::max(own.height, own.height_beyond() + own.out * slope) * rounded_sum,
+            (around.height / cosine + (around.out + around.height * slope) * parting) * rounded_sum};
 }
 
 Distances MeshBound::by_sides(size_t triangle) const noexcept {
@@ -141,8 +141,8 @@ Distances MeshBound::by_sides(size_t triangle) const noexcept {
     for (size_t k = 0; k < 3; ++k) {
         const Distances over =
             neighbours_[triangle].border[k] ? over_border(triangle, k) : over_side(triangle, k);
-        result.from_shape = std::max(result.from_shape, over.from_shape * more);
-        result.from_mesh = std::max(result.from_mesh, over.from_mesh * more);
+        result.from_shape = std::max(result.from_shape, over.from_shape * rounded_sum);
+        result.from_mesh = std::max(result.from_mesh, over.from_mesh * rounded_sum);
     }
     return result;
 }
@@ -160,7 +160,7 @@ double MeshBound::edge_about(size_t triangle, double from_mesh) const noexcept {
             result = std::max(
                 result,
                 (edge + (std::min(edge, other.outs[next.side]) + std::max(from_mesh, other.height)) * sine) *
-                    more);
+                    rounded_sum);
         }
     }
     return result;
@@ -177,7 +177,7 @@ Distances MeshBound::distances(size_t triangle, double enough, double allowed) c
     const Around all = around(triangle);
     const double cosine = 1 - all.turned * all.turned / 2;
     if (!all.on_border && all.turned < most_turned &&
-        std::max(all.out + all.height, all.beside) < 0.99 * all.altitude * cosine) {
+        std::max(all.out + all.height, all.beside) < share_of_altitude * all.altitude * cosine) {
         take(by_star(triangle, all));
     }
     if (!(best.most() <= enough)) {

@@ -10,8 +10,6 @@ namespace nrb::mesh {
 
 namespace {
 
-constexpr double share_of_altitude = 0.99; // the rest is room for rounding
-
 double cosine_of(double chord) noexcept {
     return 1 - chord * chord / 2;
 }
@@ -96,7 +94,7 @@ double Star::from_shape(double enough) const noexcept {
                                                          own_, bounds_[static_cast<size_t>(next.triangle)]))
                                       : any);
     }
-    return result * more;
+    return result * rounded_sum;
 }
 
 // Whether S(U) comes out, over the first (1) or second (2) side at the common corner, within an angle that is smaller
@@ -154,7 +152,7 @@ double Star::from_mesh(double enough) const noexcept {
         const bool by_side = u.shares_side && chord_between(own_, of(u)) < most_turned_by_sides;
         result = std::max(result, by_side ? beside(u) : over_corner(u, enough));
     }
-    return result * more;
+    return result * rounded_sum;
 }
 
 } // namespace

@@ -365,7 +365,6 @@ TriangleBound Triangle::bound(bool alone) const noexcept {
     result.normal = normal;
     result.flat = flat;
     result.weighed = weighed();
-    result.altitude = area / longest_ * (1 - 16 * eps);
     const InverseWeights inverse = inverse_weights();
     result.height = (heights.both(inverse) + flat) * rounding;
     const double high = std::max({heights.largest(0), heights.largest(1), heights.largest(2)}) / 4;
@@ -395,7 +394,8 @@ TriangleBound Triangle::bound(bool alone) const noexcept {
     if (result.out > result.height) {
         result.out = std::min(result.out, equal_parameters());
     }
-    const bool needle = result.altitude < diagonal(result.height, result.out); // else no side is near enough
+    const bool needle =
+        result.least_altitude() < diagonal(result.height, result.out); // else no side is near enough
     result.whole = needle ? from_a_side(result) : infinity;
     result.height = std::min(result.height, result.whole); // the sides are in the plane
     result.out = std::min(result.out, result.whole);

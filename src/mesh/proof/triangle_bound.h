@@ -83,8 +83,7 @@ struct TriangleBound {
     double whole = infinity;               // distance of any point of the surface from the triangle
     double weighed = infinity;             // places between corners move at most this times as far
     std::array<double, 3> angles{4, 4, 4}; // at the corners, from above
-    double altitude = 0;                   // the least one, from below
-    std::array<double, 3> altitudes{};     // of each corner, from below
+    std::array<double, 3> altitudes{};     // of the corners, from below
     Vector3 normal{};                      // 0: the triangle has none
 
     // For the triangle by itself: the distance of its part of the surface from it, and its distance from the
@@ -97,6 +96,9 @@ struct TriangleBound {
     [[nodiscard]] double height_over(size_t side) const noexcept { return std::min(height, nears[side]); }
     [[nodiscard]] double height_beyond() const noexcept {
         return std::max({height_over(0), height_over(1), height_over(2)});
+    }
+    [[nodiscard]] double least_altitude() const noexcept {
+        return std::min({altitudes[0], altitudes[1], altitudes[2]});
     }
     [[nodiscard]] bool has_plane() const noexcept { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
 };

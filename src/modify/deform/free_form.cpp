@@ -8,10 +8,10 @@
 #include "bounds/deviation.h"
 #include "eval/evaluate.h"
 #include "numeric/norm.h"
+#include "refine/algebra/derivative.h"
 #include "refine/compose/compose.h"
 #include "refine/forms/homogeneous.h"
 #include "refine/forms/transform.h"
-#include "spline/axis_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,22 +67,15 @@ SplinePtr in_parameters(const Spline &curve, const Box &box) {
     return refine::transform(*moved, {dim, dim, matrix.data()}, to_domain.data());
 }
 
-// A bound of p |P_(i+1) - P_i| / (t_(i+p+1) - t_(i+1)) for homogeneous control points along an axis, where
-// the differences of weights are multiplied by the size of the spline.
-double largest_slope(const Spline &records, int k, double size) {
-    const AxisView view = axis_view(records, k, 1);
-    const KnotVector &axis = records.axis(k);
-    const int dim = records.dim() - 1;
+// The largest control point of the derivative of homogeneous records along an axis, where that of the weight is
+// multiplied by the size of the spline.
+double largest_slope(const SplinePtr &records, int k, double size) {
+    const SplinePtr slopes = refine::polynomial_derivative(records, k, 1);
+    const int dim = slopes->dim() - 1;
     double largest = 0;
-    for (int64_t i = 0; i < records.point_count(); ++i) {
-        const int64_t layer = i / view.inner % view.count;
-        const double length = axis[layer + axis.degree() + 1] - axis[layer + 1];
-        if (layer + 1 < view.count && length > 0) {
-            const double *const from = records.points().data() + i * records.dim();
-            const double *const to = from + view.inner * records.dim();
-            const double step = distance(from, to, dim) + size * std::abs(to[dim] - from[dim]);
-            largest = std::max(largest, axis.degree() * (step / length));
-        }
+    for (int64_t i = 0; i < slopes->point_count(); ++i) {
+        const double *const slope = slopes->points().data() + i * (dim + 1);
+        largest = std::max(largest, norm(slope, dim) + size * std::abs(slope[dim]));
     }
     return largest;
 }
@@ -95,13 +88,13 @@ double magnitude(Interval range) noexcept {
 // the curve is cut, moves points of the volume V = B / w. The derivatives of V are (B' - V w') / w.
 double rounding_of_parameters(const Spline &volume, const Spline &curve, int degree) {
     const double of_cuts =
-        4 * eps * magnitude(curve.axis(0).domain()) * largest_slope(*refine::to_homogeneous(curve), 0, 0);
+        4 * eps * magnitude(curve.axis(0).domain()) * largest_slope(refine::to_homogeneous(curve), 0, 0);
     const SplinePtr records = refine::to_homogeneous(volume);
     const double size = volume.dim() * largest_magnitude(refine::cartesian_points(volume));
     double bound = 0;
     for (int k = 0; k < volume.axes(); ++k) {
         const double of_params = 8 * degree * eps * magnitude(volume.axis(k).domain());
-        bound += (of_params + of_cuts) * largest_slope(*records, k, size);
+        bound += (of_params + of_cuts) * largest_slope(records, k, size);
     }
     const double least = volume.all_weights().smallest;
     return least > 0 ? bound / least : infinity;

@@ -606,7 +606,7 @@ TEST(MeshBound, stars_that_look_twice_around_do_not_count) {
                                   : Vector3{std::sin(tilt) * std::cos(at), std::sin(tilt) * std::sin(at),
                                             std::cos(tilt)};
             bound.angles = {i == 0 ? own_angle : seen * std::cos(tilt) / count, 1, 1};
-            bound.altitude = 1;
+            bound.altitudes.fill(1);
             bound.height = 1e-3;
             bound.out = 1e-4;
             bound.beside = 0.1;
